@@ -1,0 +1,169 @@
+# photonlab. `make help` lists what there is.
+#
+# One tree of objects per BUILD directory, so that variants (sanitizers, another compiler, native code) stand side by side:
+#     make BUILD=build/clang CC=clang
+
+BUILD  ?= build
+CC     := $(if $(filter default,$(origin CC)),$(firstword $(foreach c,gcc clang cc,$(shell command -v $(c) 2>/dev/null)) cc),$(CC))
+SYSTEM := $(shell uname -s)
+
+# Same bytes from every compiler: no fused multiply-add, no fast-math. errno of sqrtf is not wanted.
+OPTIMISE ?= -O3
+STRICT    = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno
+OPENMP   := $(shell echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp)
+PACKAGES  = libpng libcyaml yaml-0.1
+PKG      := $(shell command -v pkg-config 2>/dev/null)
+PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
+PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lcyaml -lyaml)
+
+override CFLAGS += $(STRICT) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib $(PKG_CFLAGS) $(EXTRA)
+LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(OPENMP)
+
+ifeq ($(SYSTEM),Darwin)
+SHARED = -dynamiclib -install_name @rpath/libphotonlab.so
+PLUGIN = -bundle -undefined dynamic_lookup
+ORIGIN = @loader_path
+else
+SHARED = -shared -Wl,-Bsymbolic-functions
+PLUGIN = -shared
+ORIGIN = $$ORIGIN
+endif
+
+LIBRARY_SOURCES = $(filter-out lib/cli/% lib/preview/%,$(wildcard lib/*.c lib/*/*.c))
+PROGRAM_SOURCES = $(wildcard lib/cli/*.c)
+STEP_SOURCES    = $(wildcard solutions/*/*.c)
+TEST_SOURCES    = $(wildcard tests/unit/*.c)
+
+object   = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
+LIBRARY  = $(BUILD)/libphotonlab.so
+PROGRAM  = $(BUILD)/photonlab
+STEPS    = $(STEP_SOURCES:%.c=$(BUILD)/%.so)
+TESTS    = $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/tests/%)
+MESHES   = $(addprefix scenes/meshes/,diamond.obj bumpy_sphere.obj ring.obj)
+
+.PHONY: all
+all: $(PROGRAM) $(STEPS)
+
+$(BUILD)/obj/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
+
+$(LIBRARY): $(call object,$(LIBRARY_SOURCES))
+	$(CC) $(CFLAGS) $(SHARED) $^ -o $@.new $(LDLIBS)
+	@mv $@.new $@
+
+$(PROGRAM): $(call object,$(PROGRAM_SOURCES)) $(LIBRARY)
+	$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(LDLIBS)
+
+# One shared object per step. Written beside and renamed, since a running program may be loading the old one.
+$(BUILD)/solutions/%.so: $(BUILD)/obj/solutions/%.o
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(PLUGIN) $< -o $@.new
+	@mv $@.new $@
+
+$(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $< -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/..' -o $@ $(LDLIBS)
+
+$(BUILD)/make_meshes: scenes/make_meshes.c
+	@mkdir -p $(@D)
+	$(CC) $(STRICT) -O2 $< -o $@ -lm
+
+scenes/meshes/%.obj: | $(BUILD)/make_meshes
+	@mkdir -p $(@D)
+	$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
+
+# ---- what there is to do; `make help` prints the lines with two hashes ----
+
+.PHONY: help setup demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli reference agreement \
+        bench bench-peers fuzz format clean
+
+## help            this list
+help:
+	@echo "make TARGET [NAME=value …]"
+	@sed -n 's/^## /  /p' Makefile
+
+## (no target)     build the program: build/photonlab, and the reference steps: build/solutions/
+
+## setup           install what is missing (by apt; on other systems it says what to install)
+setup:
+	@sh tests/setup.sh
+
+## demo            render the course's pictures into build/demo/
+demo: all meshes
+	@sh scenes/demo.sh $(PROGRAM) $(BUILD)/demo
+
+## render          render one scene: make render SCENE=scenes/prism.yaml FLAGS="--samples 64"
+SCENE ?= scenes/box_glass.yaml
+render: all meshes
+	$(PROGRAM) render $(SCENE) -o $(BUILD)/$(notdir $(SCENE:.yaml=.png)) $(FLAGS)
+
+## meshes          make the meshes that are too large to keep: scenes/meshes/
+meshes: $(MESHES)
+
+## check           all tests (below five minutes on two cores); the parts are:
+check: all meshes
+	@bash tests/check.sh $(MAKE)
+
+##   check-unit        the library's unit tests
+check-unit: all meshes $(TESTS)
+	@bash tests/unit/run.sh $(TESTS)
+
+##   check-sanitized   the same under AddressSanitizer and UndefinedBehaviorSanitizer
+check-sanitized: meshes
+	@$(MAKE) BUILD=$(BUILD)/sanitized OPTIMISE=-O1 EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=undefined" check-unit
+
+##   check-compilers   gcc and clang build without a warning
+check-compilers:
+	@$(MAKE) BUILD=$(BUILD)/gcc CC=gcc EXTRA=-Werror all
+	@$(MAKE) BUILD=$(BUILD)/clang CC=clang EXTRA=-Werror all
+
+##   check-bytes       1, 2 and 7 threads, gcc and clang: the same bytes
+check-bytes: check-compilers meshes
+	@bash tests/same_bytes.sh $(BUILD)/gcc/photonlab $(BUILD)/clang/photonlab
+
+##   check-cli         exit codes, messages, students' steps
+check-cli: all
+	@bash tests/cli.sh $(PROGRAM) $(BUILD)
+
+##   reference         both integrators against an independent renderer's images
+reference: all
+	@bash tests/reference/compare.sh $(PROGRAM)
+
+##   agreement         photons against the path tracer, on every scene that it can render
+agreement: all meshes
+	@bash tests/agreement.sh $(PROGRAM)
+
+## bench           speed against other programs, as ratios measured side by side (installs them first)
+bench: all meshes
+	@bash tests/bench/run.sh
+
+## fuzz            feed a reader with nonsense: make fuzz READER=scene|obj|png|pfm SECONDS=600 (needs clang)
+READER  ?= scene
+SECONDS ?= 60
+FUZZ_FLAGS = -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
+fuzz:
+	@mkdir -p $(BUILD)/fuzz/corpus_$(READER)
+	clang $(STRICT) -O1 -g -Ilib $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
+	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl
+	$(BUILD)/fuzz/fuzz_$(READER) -max_total_time=$(SECONDS) -timeout=10 -max_len=4096 -print_final_stats=1 \
+	    $(patsubst %,-dict=%,$(wildcard tests/fuzz/$(READER).dict)) $(BUILD)/fuzz/corpus_$(READER)
+
+## compile_commands.json   for editors and language servers
+compile_commands.json: Makefile $(wildcard lib/*.c lib/*/*.c solutions/*/*.c tests/unit/*.c)
+	@{ echo "["; first=1; for f in $(LIBRARY_SOURCES) $(PROGRAM_SOURCES) $(STEP_SOURCES) $(TEST_SOURCES); do \
+	    [ -n "$$first" ] || echo ","; first=; \
+	    printf '{"directory":"%s","file":"%s","command":"%s"}' "$(CURDIR)" "$$f" "$(CC) $(CFLAGS) -c $$f"; \
+	done; echo; echo "]"; } > $@.new
+	@mv $@.new $@
+
+## format          lay the C files out by .clang-format
+format:
+	clang-format -i $$(git ls-files '*.c' '*.h' '*.cpp')
+
+## clean           remove build/
+clean:
+	rm -rf $(BUILD)
+
+.SECONDARY:
+-include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)

@@ -1,0 +1,50 @@
+// The program's subcommands. Each takes its own arguments (arguments[0] is its name) and returns the exit code: 0 done, 1 input or
+// output error, 2 wrong usage.
+#ifndef PHOTONLAB_CLI_CLI_H
+#define PHOTONLAB_CLI_CLI_H
+
+#include "photonlab.h"
+
+#include <stdbool.h>
+
+#define EXIT_INPUT 1
+#define EXIT_USAGE 2
+
+int command_render(int count, char **arguments);
+int command_photons(int count, char **arguments);
+int command_diff(int count, char **arguments);
+int command_bench(int count, char **arguments);
+
+// Prints the error to standard error and returns EXIT_INPUT.
+int report_error(const Error *error);
+// Prints "photonlab COMMAND: message" and how to get help; returns EXIT_USAGE.
+int report_usage(const char *command, const char *format, ...);
+
+// Flags' values. False, with a message printed, when the text is not a number of that range.
+bool parse_long(const char *command, const char *flag, const char *text, long low, long high, long *value);
+bool parse_int(const char *command, const char *flag, const char *text, int low, int high, int *value);
+bool parse_float(const char *command, const char *flag, const char *text, float low, float high, float *value);
+bool parse_seed(const char *command, const char *flag, const char *text, uint64_t *value);
+
+#define MOST_PHOTONS 2000000000L
+#define MOST_K       1000000
+#define MOST_DEPTH   1000
+#define MOST_SIDE    16384
+#define MOST_SAMPLES 1000000
+#define MOST_THREADS 1024
+
+// A bar with the time that is left, on standard error, when that is a terminal; silent otherwise.
+typedef struct {
+    double started, drawn;
+    char phase[32];
+    bool shown;
+} ProgressBar;
+Progress progress_bar_start(ProgressBar *bar, bool quiet);
+void progress_bar_end(ProgressBar *bar);
+
+// Says which steps the student's code plays and which the reference, and what gave up.
+void report_steps(const char *code_dir);
+
+void print_ledger_json(const Ledger *ledger);
+
+#endif

@@ -1,0 +1,45 @@
+#include "cli/cli.h"
+
+#include <stdio.h>
+#include <string.h>
+
+typedef struct {
+    const char *name;
+    int (*run)(int count, char **arguments);
+    const char *help;
+} Command;
+
+static const Command commands[] = {
+    {"render", command_render, "render a scene to a picture"},
+    {"photons", command_photons, "write the stored photons as a point cloud"},
+    {"diff", command_diff, "compare two pictures"},
+    {"bench", command_bench, "measure speed and memory on this machine"},
+};
+
+#define COMMAND_COUNT (sizeof commands / sizeof commands[0])
+
+static void print_help(FILE *stream)
+{
+    fprintf(stream, "photonlab: photon mapping to learn from\n\nusage: photonlab COMMAND …\n\n");
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        fprintf(stream, "  %-9s %s\n", commands[i].name, commands[i].help);
+    fprintf(stream, "\nphotonlab COMMAND --help tells more. Try: photonlab render scenes/box_glass.yaml -o box.png\n");
+}
+
+int main(int count, char **arguments)
+{
+    if (count < 2) {
+        print_help(stderr);
+        return EXIT_USAGE;
+    }
+    if (strcmp(arguments[1], "--help") == 0 || strcmp(arguments[1], "-h") == 0 || strcmp(arguments[1], "help") == 0) {
+        print_help(stdout);
+        return 0;
+    }
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(arguments[1], commands[i].name) == 0)
+            return commands[i].run(count - 1, arguments + 1);
+    fprintf(stderr, "photonlab: no command `%s`\n\n", arguments[1]);
+    print_help(stderr);
+    return EXIT_USAGE;
+}

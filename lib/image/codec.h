@@ -1,0 +1,32 @@
+// What the image formats share inside this folder, and the way in for the fuzzers: pixels from and to bytes
+// on one side (png.c, pfm.c), bytes from and to files on the other (image.c).
+#ifndef PHOTONLAB_IMAGE_CODEC_H
+#define PHOTONLAB_IMAGE_CODEC_H
+
+#include "image/image.h"
+
+#include <stdio.h>
+
+// Reads an image out of the bytes of a file; `name` stands in front of the error. On failure the image is
+// left empty.
+typedef bool ImageDecoder(Image *image, const unsigned char *bytes, size_t size, const char *name,
+                          Error *error);
+ImageDecoder image_read_png_memory;
+ImageDecoder image_read_pfm_memory;
+
+// Writes a checked image to the stream. False, with the error set, when the stream takes no more.
+typedef bool ImageEncoder(const Image *image, FILE *stream, const char *name, Error *error);
+
+// Loads the whole file and decodes it.
+bool image_read_file(Image *image, const char *path, ImageDecoder *decode, Error *error);
+
+// Checks the image, encodes it into a file beside `path` and renames that to `path`.
+bool image_write_file(const Image *image, const char *path, ImageEncoder *encode, Error *error);
+
+// False when a side or the number of pixels is out of bounds.
+bool image_check_size(unsigned long width, unsigned long height, const char *name, Error *error);
+
+// False, naming the pixel, when one is NaN or infinite, or when there are none at all.
+bool image_check_finite(const Image *image, const char *name, Error *error);
+
+#endif

@@ -1,0 +1,137 @@
+#include "image/codec.h"
+#include "file.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+// No image that we read is longer: the most pixels as PFM, and some room for its header.
+#define MAX_FILE_BYTES (12ull * IMAGE_MAX_PIXELS + 4096)
+
+bool image_check_size(unsigned long width, unsigned long height, const char *name, Error *error)
+{
+    if (width < 1 || height < 1 || width > IMAGE_MAX_SIDE || height > IMAGE_MAX_SIDE)
+        return error_set(error, "%s: the size is %lu×%lu pixels; expected 1 to %d on each side", name, width,
+                         height, IMAGE_MAX_SIDE);
+    if ((unsigned long long)width * height > IMAGE_MAX_PIXELS)
+        return error_set(error, "%s: the size is %lu×%lu pixels; expected at most %ld in all", name, width,
+                         height, IMAGE_MAX_PIXELS);
+    return true;
+}
+
+bool image_create(Image *image, int width, int height, Error *error)
+{
+    *image = (Image){0};
+    if (width < 1 || height < 1)
+        return error_set(error, "image: the size is %d×%d pixels; expected 1 to %d on each side", width,
+                         height, IMAGE_MAX_SIDE);
+    if (!image_check_size((unsigned long)width, (unsigned long)height, "image", error))
+        return false;
+    Colour *pixels = calloc((size_t)width * (size_t)height, sizeof *pixels);
+    if (!pixels)
+        return error_set(error, "image: no memory for %d×%d pixels", width, height);
+    *image = (Image){width, height, pixels};
+    return true;
+}
+
+void image_free(Image *image)
+{
+    free(image->pixels);
+    *image = (Image){0};
+}
+
+bool image_check_finite(const Image *image, const char *name, Error *error)
+{
+    if (!image->pixels)
+        return error_set(error, "%s: the image has no pixels", name);
+    for (int row = 0; row < image->height; row++)
+        for (int column = 0; column < image->width; column++) {
+            Colour c = *image_at(image, column, row);
+            if (!isfinite(c.r) || !isfinite(c.g) || !isfinite(c.b))
+                return error_set(
+                    error,
+                    "%s: the pixel in column %d, row %d (counted from 0, top left) is (%g, %g, %g); "
+                    "expected finite numbers",
+                    name, column, row, (double)c.r, (double)c.g, (double)c.b);
+        }
+    return true;
+}
+
+// The comparisons are turned so that NaN becomes 0 too.
+float srgb_encode(float linear)
+{
+    if (!(linear > 0.0f))
+        return 0.0f;
+    if (linear >= 1.0f)
+        return 1.0f;
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * powf(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+float srgb_decode(float encoded)
+{
+    if (!(encoded > 0.0f))
+        return 0.0f;
+    if (encoded >= 1.0f)
+        return 1.0f;
+    return encoded <= 0.04045f ? encoded / 12.92f : powf((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+// From the last dot of the file's name on; "" when it has none.
+static const char *path_ending(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const char *dot = strrchr(slash ? slash : path, '.');
+    return dot ? dot : "";
+}
+
+static bool ends_in(const char *path, const char *ending)
+{
+    return strcasecmp(path_ending(path), ending) == 0;
+}
+
+bool image_path_is_known(const char *path, Error *error)
+{
+    if (ends_in(path, ".png") || ends_in(path, ".pfm"))
+        return true;
+    const char *ending = path_ending(path);
+    return error_set(error, "%s: the name %s%s; expected .png (to look at) or .pfm (to measure)", path,
+                     *ending ? "ends in " : "has no ending", ending);
+}
+
+bool image_read(Image *image, const char *path, Error *error)
+{
+    *image = (Image){0};
+    if (!image_path_is_known(path, error))
+        return false;
+    return ends_in(path, ".png") ? image_read_png(image, path, error) : image_read_pfm(image, path, error);
+}
+
+bool image_write(const Image *image, const char *path, Error *error)
+{
+    if (!image_path_is_known(path, error))
+        return false;
+    return ends_in(path, ".png") ? image_write_png(image, path, 8, error)
+                                 : image_write_pfm(image, path, error);
+}
+
+bool image_read_file(Image *image, const char *path, ImageDecoder *decode, Error *error)
+{
+    *image = (Image){0};
+    size_t size;
+    char *bytes = file_read(path, MAX_FILE_BYTES, &size, error);
+    if (!bytes)
+        return false;
+    bool good = decode(image, (unsigned char *)bytes, size, path, error);
+    free(bytes);
+    return good;
+}
+
+bool image_write_file(const Image *image, const char *path, ImageEncoder *encode, Error *error)
+{
+    FileWriter writer;
+    if (!image_check_finite(image, path, error) || !file_write_begin(&writer, path, error))
+        return false;
+    bool good = encode(image, writer.stream, path, error);
+    return file_write_end(&writer, good, error);
+}

@@ -1,0 +1,191 @@
+// PFM (Debevec 2001): three lines of text, "PF" or "Pf" (three channels or one), "width height", and a scale
+// whose sign tells the byte order (negative: little-endian); then 32-bit floats, the bottom row first.
+#include "image/codec.h"
+
+#include <errno.h>
+#include <stdint.h>
+#include <string.h>
+
+// The header as it is read: where we are, and in which line.
+typedef struct {
+    const unsigned char *bytes;
+    size_t size, at;
+    int line;
+    const char *name;
+    Error *error;
+} Header;
+
+typedef struct {
+    char text[32]; // bytes that cannot be shown, and the end of one that is too long, as '?'
+    int line;
+} Word;
+
+static bool is_space(unsigned char c)
+{
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+// The next word; empty at the end of the file. Leaves the space behind it: one such byte ends the header, and
+// the next may be a pixel that looks like space.
+static Word next_word(Header *header)
+{
+    for (; header->at < header->size && is_space(header->bytes[header->at]); header->at++)
+        header->line += header->bytes[header->at] == '\n';
+    Word word = {.line = header->line};
+    for (size_t i = 0; header->at < header->size && !is_space(header->bytes[header->at]); header->at++, i++) {
+        unsigned char c = header->bytes[header->at];
+        size_t last = sizeof word.text - 2;
+        word.text[i < last ? i : last] = c > 32 && c < 127 && i < last ? (char)c : '?';
+    }
+    return word;
+}
+
+static bool unexpected(const Header *header, const Word *word, const char *expected)
+{
+    if (!word->text[0])
+        return error_set(header->error, "%s:%d: the file ends; expected %s", header->name, word->line,
+                         expected);
+    return error_set(header->error, "%s:%d: found \"%s\"; expected %s", header->name, word->line, word->text,
+                     expected);
+}
+
+static bool read_side(Header *header, unsigned long *side, const char *expected)
+{
+    Word word = next_word(header);
+    size_t digits = strspn(word.text, "0123456789");
+    if (digits == 0 || word.text[digits])
+        return unexpected(header, &word, expected);
+    *side = 0;
+    for (size_t i = 0; i < digits; i++)
+        *side = *side > IMAGE_MAX_SIDE ? *side : 10 * *side + (unsigned long)(word.text[i] - '0');
+    if (*side < 1 || *side > IMAGE_MAX_SIDE)
+        return unexpected(header, &word, expected);
+    return true;
+}
+
+// A decimal number other than zero. Not by strtod, which wants a comma for the point in some countries.
+static bool is_scale(const char *text)
+{
+    const char *digits = "0123456789";
+    text += *text == '-' || *text == '+';
+    size_t mantissa = strspn(text, "0123456789.");
+    size_t whole = strspn(text, digits);
+    size_t fraction = text[whole] == '.' ? strspn(text + whole + 1, digits) : 0;
+    size_t length = whole + fraction + (text[whole] == '.');
+    bool zero = strspn(text, "0.") == mantissa; // true also for no digits at all
+    if (zero || length != mantissa)
+        return false;
+    text += mantissa;
+    if (*text != 'e' && *text != 'E')
+        return *text == '\0';
+    text += 1 + (text[1] == '-' || text[1] == '+');
+    size_t exponent = strspn(text, digits);
+    return exponent > 0 && text[exponent] == '\0';
+}
+
+static float read_float(const unsigned char *b, bool little)
+{
+    uint32_t bits = little ? b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24
+                           : b[3] | (uint32_t)b[2] << 8 | (uint32_t)b[1] << 16 | (uint32_t)b[0] << 24;
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static void read_pixels(Image *image, const unsigned char *bytes, size_t channels, bool little)
+{
+    for (int row = image->height - 1; row >= 0; row--)
+        for (int column = 0; column < image->width; column++, bytes += 4 * channels) {
+            Colour *pixel = image_at(image, column, row);
+            *pixel = colour_grey(read_float(bytes, little));
+            if (channels == 3) {
+                pixel->g = read_float(bytes + 4, little);
+                pixel->b = read_float(bytes + 8, little);
+            }
+        }
+}
+
+// The file's length is compared with what the header promises before memory is asked for.
+static bool check_length(const Header *header, unsigned long long needed)
+{
+    unsigned long long found = header->size - header->at;
+    if (found < needed)
+        return error_set(header->error, "%s: truncated: %llu bytes of pixels; expected %llu", header->name,
+                         found, needed);
+    if (found > needed)
+        return error_set(header->error, "%s: %llu bytes too many: %llu bytes of pixels; expected %llu",
+                         header->name, found - needed, found, needed);
+    return true;
+}
+
+bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size, const char *name,
+                           Error *error)
+{
+    *image = (Image){0};
+    Header header = {.bytes = bytes, .size = size, .line = 1, .name = name, .error = error};
+    unsigned long width, height;
+    Word kind = next_word(&header);
+    bool colour = strcmp(kind.text, "PF") == 0;
+    if (!colour && strcmp(kind.text, "Pf") != 0)
+        return unexpected(&header, &kind, "\"PF\" (three channels) or \"Pf\" (one)");
+    if (!read_side(&header, &width, "the width, a whole number from 1 to 65536") ||
+        !read_side(&header, &height, "the height, a whole number from 1 to 65536") ||
+        !image_check_size(width, height, name, error))
+        return false;
+    Word scale = next_word(&header);
+    if (!is_scale(scale.text))
+        return unexpected(&header, &scale,
+                          "the scale, a number other than 0 (-1: little-endian, 1: big-endian)");
+    if (header.at < size)
+        header.at++; // the one space that ends the header
+    size_t channels = colour ? 3 : 1;
+    if (!check_length(&header, 4ull * channels * width * height) ||
+        !image_create(image, (int)width, (int)height, error))
+        return false;
+    read_pixels(image, bytes + header.at, channels, scale.text[0] == '-');
+    if (image_check_finite(image, name, error))
+        return true;
+    image_free(image);
+    return false;
+}
+
+static void put_float(unsigned char *b, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    for (int i = 0; i < 4; i++)
+        b[i] = (unsigned char)(bits >> 8 * i);
+}
+
+static bool write_failed(const char *name, Error *error)
+{
+    return error_set(error, "%s: cannot be written: %s", name, strerror(errno));
+}
+
+// Little-endian on every machine, so that the same image gives the same file.
+static bool encode(const Image *image, FILE *stream, const char *name, Error *error)
+{
+    if (fprintf(stream, "PF\n%d %d\n-1.0\n", image->width, image->height) < 0)
+        return write_failed(name, error);
+    for (int row = image->height - 1; row >= 0; row--)
+        for (int column = 0; column < image->width; column++) {
+            Colour pixel = *image_at(image, column, row);
+            unsigned char bytes[12];
+            put_float(bytes, pixel.r);
+            put_float(bytes + 4, pixel.g);
+            put_float(bytes + 8, pixel.b);
+            if (fwrite(bytes, sizeof bytes, 1, stream) != 1)
+                return write_failed(name, error);
+        }
+    return true;
+}
+
+bool image_read_pfm(Image *image, const char *path, Error *error)
+{
+    return image_read_file(image, path, image_read_pfm_memory, error);
+}
+
+bool image_write_pfm(const Image *image, const char *path, Error *error)
+{
+    return image_write_file(image, path, encode, error);
+}

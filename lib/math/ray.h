@@ -1,0 +1,34 @@
+// Rays and boxes.
+#ifndef PHOTONLAB_MATH_RAY_H
+#define PHOTONLAB_MATH_RAY_H
+
+#include "math/vec3.h"
+
+#include <stdint.h>
+
+#define NO_PRIMITIVE UINT32_MAX
+
+// A half line. `from` names the primitive that the origin lies on (NO_PRIMITIVE: none): the ray does not hit that one
+// again where it starts, which an epsilon could only promise for scenes of one size.
+typedef struct {
+    Vec3 origin;
+    Vec3 direction; // unit
+    uint32_t from;
+} Ray;
+
+typedef struct {
+    Vec3 low, high; // empty when low > high
+} Box;
+
+static inline Box box_empty(void)
+{
+    return (Box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+}
+
+static inline void box_add_point(Box *box, Vec3 p)
+{
+    box->low = vec3(fminf(box->low.x, p.x), fminf(box->low.y, p.y), fminf(box->low.z, p.z));
+    box->high = vec3(fmaxf(box->high.x, p.x), fmaxf(box->high.y, p.y), fmaxf(box->high.z, p.z));
+}
+
+#endif

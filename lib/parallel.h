@@ -1,0 +1,14 @@
+// Threads and time. Without OpenMP everything runs on one thread.
+#ifndef PHOTONLAB_PARALLEL_H
+#define PHOTONLAB_PARALLEL_H
+
+// All cores when `wanted` is 0, otherwise what is wanted.
+int parallel_threads(int wanted);
+
+// From now on everything that names no number of its own runs on this many threads (0: all cores).
+void parallel_limit(int threads);
+
+// Seconds of wall clock since some fixed time.
+double clock_seconds(void);
+
+#endif

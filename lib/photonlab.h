@@ -1,0 +1,56 @@
+// photonlab: photon mapping to learn from.
+//
+// What happens, from a scene to a picture, and where to read it:
+//
+//   scene file ──▶ Scene ──▶ photon pass ──▶ PhotonMap ──▶ eye pass ──▶ Image ──▶ PNG
+//
+//   scene/    a YAML file becomes surfaces, materials, lights and a camera; a hierarchy of boxes finds what a ray meets
+//   photons/  lights emit photons, which bounce and land (trace.h: one path; photon_pass.h: all of them); those that
+//             landed go into a kd-tree (photon_map.h)
+//   render/   eye rays find surfaces through the pixels, the map tells how much light arrives there
+//   image/    pictures, in memory and in files, and how far one is from another
+//   steps/    the parts that you write: one function each, called through the table `steps`
+//   math/     vectors, colours, random numbers
+//   cli/      the program `photonlab`, one file per subcommand
+//
+// Conventions, everywhere:
+//   Metres, watts, linear RGB. Radiance L in W/(m²·sr), flux Φ in W, irradiance E in W/m².
+//   At a surface, wi points to where light comes from and wo to where it goes; a photon's `direction` is the way it flies,
+//   so wi = −direction. Normals in a Hit face the side the ray came from.
+//   Vectors are unit length where they are called a direction or a normal.
+//   Functions that can fail return false or NULL and explain themselves in an Error. The library never prints or exits.
+//   The same seed gives the same bytes, whatever the number of threads.
+#ifndef PHOTONLAB_H
+#define PHOTONLAB_H
+
+#include "error.h"    // Error, error_set
+#include "parallel.h" // parallel_threads, clock_seconds
+#include "progress.h" // Progress
+
+#include "math/colour.h" // Colour, colour_…
+#include "math/frame.h"  // Frame, frame_about, frame_to_world
+#include "math/ray.h"    // Ray, Box
+#include "math/rng.h"    // Rng, rng_create, rng_float
+#include "math/vec3.h"   // Vec3, vec3_…
+
+#include "scene/camera.h"          // Camera, camera_ray
+#include "scene/glass_catalogue.h" // glass_find, glass_index, cauchy_index
+#include "scene/light.h"           // Light, light_sample
+#include "scene/material.h"        // Material, material_brdf, material_albedo
+#include "scene/scene.h"           // Scene, scene_load, scene_intersect, scene_occluded
+#include "scene/shape.h"           // Flat, Sphere
+
+#include "photons/gather.h"      // Gather, gather_near
+#include "photons/photon.h"      // Photon, StoredPhoton
+#include "photons/photon_map.h"  // PhotonMap, photon_map_build, photon_map_nearest
+#include "photons/photon_pass.h" // PhotonPass, photon_pass_run, Ledger
+#include "photons/trace.h"       // photon_fly, photon_store
+
+#include "render/render.h" // RenderOptions, render_image
+
+#include "image/difference.h" // image_difference
+#include "image/image.h"      // Image, image_read, image_write
+
+#include "steps/steps.h" // steps, steps_load: reflect, emit_photon, scatter_diffuse, …
+
+#endif

@@ -1,0 +1,105 @@
+// How the photon map is laid out. For the photon map's own files and the curious.
+//
+// A kd-tree whose every split halves its photons gives each node a range of the photon array that follows
+// from its place in the tree alone, so no ranges or pointers are stored: of 2^depth leaves, leaf i holds the
+// photons from count·i / 2^depth on. Nodes keep the tight boxes of their photons in place of splitting
+// planes: photons lie on surfaces, and a tight box is much smaller than its cell. Two levels of halving make
+// one node with four children, because four boxes can be tested at once.
+#ifndef PHOTONLAB_PHOTONS_PHOTON_MAP_INTERNAL_H
+#define PHOTONLAB_PHOTONS_PHOTON_MAP_INTERNAL_H
+
+#include "math/ray.h"
+#include "photons/photon_map.h"
+
+#include <stdint.h>
+#include <string.h>
+
+enum {
+    LEAF_PHOTONS = 16, // at most, in a leaf; more than half of it if there is more than one leaf
+    STACK_ROOM = 96    // a walk leaves at most three children waiting on each of 32 levels
+};
+
+// The boxes around four children's photons. An empty box (low = ∞, high = −∞) is infinitely far from
+// everything.
+typedef struct {
+    float low_x[4], low_y[4], low_z[4];
+    float high_x[4], high_y[4], high_z[4];
+} MapNode;
+
+// Nodes are numbered level by level from the root, 0, and leaves go on where nodes end. Child c of node i is
+// 4·i + first_child + c. When depth is odd, the root has two children only, in its last two places, and
+// first_child is −1; otherwise it is 1.
+struct PhotonMap {
+    StoredPhoton *photons;
+    size_t count;
+    MapNode *nodes;
+    size_t node_count;
+    int depth; // halvings from all photons to a leaf
+    int first_child;
+};
+
+// Where leaf number `leaf` begins in the photon array, which is where leaf − 1 ends.
+static inline size_t leaf_begin(const PhotonMap *map, size_t leaf)
+{
+    return (size_t)(((uint64_t)map->count * leaf) >> map->depth);
+}
+
+static inline size_t child_number(const PhotonMap *map, size_t number, size_t child)
+{
+    return 4 * number + (size_t)map->first_child + child;
+}
+
+// How far a number is outside [low, high]; 0 inside.
+static inline float outside(float low, float value, float high)
+{
+    float below = low - value;
+    float above = value - high;
+    float most = below > above ? below : above;
+    return most > 0.0f ? most : 0.0f;
+}
+
+// Squared distances from a point to a node's four boxes. The loop is written for the compiler to do as one.
+static inline void node_distances(const MapNode *node, Vec3 point, float distance2[4])
+{
+    for (int c = 0; c < 4; c++) {
+        float dx = outside(node->low_x[c], point.x, node->high_x[c]);
+        float dy = outside(node->low_y[c], point.y, node->high_y[c]);
+        float dz = outside(node->low_z[c], point.z, node->high_z[c]);
+        distance2[c] = dx * dx + dy * dy + dz * dz;
+    }
+}
+
+// Swaps two structs of `size` bytes (a constant, at most 32; they may be the same) as blocks. Swapped as
+// structs, compilers write them field by field, and a wide load soon after waits for all the narrow stores:
+// twice as slow.
+static inline void swap_bytes(void *a, void *b, size_t size)
+{
+    unsigned char held_a[32];
+    unsigned char held_b[32];
+    memcpy(held_a, a, size);
+    memcpy(held_b, b, size);
+    memcpy(a, held_b, size);
+    memcpy(b, held_a, size);
+}
+
+// Reorders the photons, which lie in `box`, so that none of the first `rank` has a larger coordinate along
+// the box's longest side than any of the others. `values`: scratch for one float per photon.
+void photon_map_halve(StoredPhoton *photons, size_t count, Box box, size_t rank, float *values);
+
+// Appends the photons nearer than the limit; `near` needs room for all `count`. Each is written, and stays if
+// it was near enough: a branch would be mispredicted every few photons.
+static inline size_t collect(const StoredPhoton *photons, size_t count, Vec3 point, float limit,
+                             NearPhoton *near)
+{
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        Vec3 d = vec3_sub(photons[i].position, point);
+        float distance2 = vec3_dot(d, d);
+        near[found].photon = &photons[i];
+        near[found].distance2 = distance2;
+        found += distance2 < limit;
+    }
+    return found;
+}
+
+#endif

@@ -1,0 +1,22 @@
+// What a PhotonTrace holds; students see only its name.
+#ifndef PHOTONLAB_PHOTONS_TRACE_INTERNAL_H
+#define PHOTONLAB_PHOTONS_TRACE_INTERNAL_H
+
+#include "photons/photon_pass.h"
+
+struct PhotonTrace {
+    const Scene *scene;
+    int depth;
+    unsigned keep;
+    GlossyModel glossy;
+
+    StoredPhoton *photons; // what this chunk of paths has stored, in order
+    size_t count, room;
+    bool out_of_memory;
+
+    Ledger ledger;         // chance_error holds the sum of squares over paths until the pass ends
+    double path_chance[3]; // the present path's part of ledger.chance
+    uint64_t segments;
+};
+
+#endif

@@ -1,0 +1,188 @@
+#include "render/eye.h"
+
+#define SPLIT_WEIGHT 0.25f // glass: both ways are followed while the ray still carries this much …
+#define ALIVE_WEIGHT 0.05f // … and below this a ray survives by roulette
+#define CAUSTIC_SHARE 4    // caustics are estimated from k/4 photons …
+#define CAUSTIC_LEAST 20   // … but not from fewer than these, if k is larger
+
+// What a ray carries: how much of what it brings back will reach the camera (to tell bright rays from faint ones), the one
+// colour it is left with after dispersing glass, its surfaces so far, and whether lights shall be seen.
+typedef struct {
+    Colour weight;
+    PhotonColour colour;
+    int bounce;
+    bool sees_lights;
+} EyeRay;
+
+static Colour trace(Eye *eye, const Ray *ray, EyeRay carried);
+
+// Radiance from one map; on a matt surface from the cache, if an estimate was made nearby.
+static Colour from_map(Eye *eye, const PhotonMap *map, IrradianceCache *cache, const Hit *hit, Vec3 wo)
+{
+    float reuse = eye->options->reuse;
+    if (photon_map_count(map) == 0)
+        return colour_grey(0.0f);
+    if (reuse <= 0.0f || hit->material->type != MATERIAL_DIFFUSE)
+        return steps.estimate_radiance(map, hit, wo, &eye->gather);
+    Colour irradiance;
+    if (!irradiance_cache_find(cache, hit->position, hit->normal, &irradiance)) {
+        static const Material white = {.type = MATERIAL_DIFFUSE, .diffuse = {1.0f, 1.0f, 1.0f}};
+        Hit on_white = *hit;
+        on_white.material = &white;
+        eye->gather.reach = 0.0f;
+        irradiance = colour_scale(steps.estimate_radiance(map, &on_white, wo, &eye->gather), PI);
+        // Where photons happen to be sparse the radius is large and the estimate low: a reach in proportion would
+        // favour low estimates. In steps of two it does not follow the noise.
+        float reach = reuse * ldexpf(1.0f, ilogbf(eye->gather.reach));
+        irradiance_cache_add(cache, hit->position, hit->normal, reach, irradiance);
+    }
+    return colour_mul(irradiance, colour_scale(hit->material->diffuse, 1.0f / PI));
+}
+
+// Caustics are sharp and their photons dense: fewer of them make an estimate.
+static Colour from_caustics(Eye *eye, const Hit *hit, Vec3 wo)
+{
+    size_t k = eye->gather.k;
+    eye->gather.k = k / CAUSTIC_SHARE > CAUSTIC_LEAST ? k / CAUSTIC_SHARE : k < CAUSTIC_LEAST ? k : CAUSTIC_LEAST;
+    Colour radiance = from_map(eye, eye->caustic, &eye->caustic_cache, hit, wo);
+    eye->gather.k = k;
+    return radiance;
+}
+
+// One way on from a surface, by a share of what the ray carries. Faint rays play roulette.
+static Colour follow(Eye *eye, const Hit *hit, Vec3 direction, Colour share, EyeRay carried)
+{
+    Colour onward = colour_mul(carried.weight, share);
+    float brightest = colour_max(onward);
+    if (brightest <= 0.0f)
+        return colour_grey(0.0f);
+    float survival = 1.0f;
+    if (brightest < ALIVE_WEIGHT) {
+        survival = brightest / ALIVE_WEIGHT;
+        if (rng_float(&eye->rng) >= survival)
+            return colour_grey(0.0f);
+    }
+    Ray ray = {hit->position, direction, hit->primitive};
+    carried.weight = colour_scale(onward, 1.0f / survival);
+    carried.bounce++;
+    return colour_scale(colour_mul(share, trace(eye, &ray, carried)), 1.0f / survival);
+}
+
+// Indirect light in a glossy lobe. Few of the photons found lie in a narrow lobe, so the map is looked up where a ray drawn from
+// the lobe ends. Lights are not seen there: shadow rays and the caustic map have counted them.
+static Colour indirect_lobe(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
+{
+    float lobe_share = eye->options->play.glossy == GLOSSY_PHONG ? 1.0f : 0.5f;
+    float choice = rng_float(&eye->rng);
+    float u, v;
+    sampler_point(&eye->sampler, SAMPLER_LOBE + (uint32_t)carried.bounce, &u, &v);
+    Vec3 wi;
+    float pdf;
+    if (!sample_rough(hit, wo, lobe_share, choice, u, v, &wi, &pdf))
+        return colour_grey(0.0f);
+    Colour f = material_lobe(hit->material, eye->options->play.glossy, wi, wo, hit->normal);
+    carried.sees_lights = false;
+    return follow(eye, hit, wi, colour_scale(f, vec3_dot(wi, hit->normal) / pdf), carried);
+}
+
+// Light leaving a rough surface.
+static Colour rough_surface(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
+{
+    if (eye->options->integrator == INTEGRATOR_PHOTONS_ONLY)
+        return from_map(eye, eye->rest, &eye->rest_cache, hit, wo);
+    Colour sum = direct_light(eye, hit, wo);
+    sum = colour_add(sum, from_caustics(eye, hit, wo));
+    if (hit->material->type == MATERIAL_DIFFUSE)
+        return colour_add(sum, from_map(eye, eye->rest, &eye->rest_cache, hit, wo));
+    Material matt = *hit->material;
+    matt.type = MATERIAL_DIFFUSE;
+    Hit on_matt = *hit;
+    on_matt.material = &matt;
+    sum = colour_add(sum, from_map(eye, eye->rest, &eye->rest_cache, &on_matt, wo));
+    return colour_add(sum, indirect_lobe(eye, hit, wo, carried));
+}
+
+static Colour only_channel(int channel, float value)
+{
+    Colour result = colour_grey(0.0f);
+    colour_set_channel(&result, channel, value);
+    return result;
+}
+
+// What glass does with one index: the refracted direction and the shares of radiance that come from either way.
+static void glass_way(const Eye *eye, const Hit *hit, Vec3 direction, float index, Vec3 *refracted, float *reflected,
+                      float *through)
+{
+    bool looking_glass = eye->options->glass_sides == 1;
+    if (looking_glass && !hit->entering) { // the back of the glass is not there
+        *refracted = direction;
+        *reflected = 0.0f;
+        *through = 1.0f;
+        return;
+    }
+    *refracted = direction;
+    *reflected = glass_optics(hit, direction, index, refracted);
+    // Radiance is squeezed into the denser side's narrower cone: L/n² stays the same along a ray (Veach 1996).
+    float eta = hit->entering ? 1.0f / index : index;
+    *through = (1.0f - *reflected) * (looking_glass ? 1.0f : eta * eta);
+}
+
+// Light through glass: each way is followed or, while the ray is faint, one of both. In dispersing glass a white ray refracts
+// three ways, one for each channel, and each goes on in its own colour.
+static Colour glass_surface(Eye *eye, const Hit *hit, Vec3 direction, EyeRay carried)
+{
+    bool splits = hit->material->disperses && carried.colour == WHITE;
+    int first = carried.colour == WHITE ? 0 : (int)carried.colour - RED;
+    int ways = splits ? 3 : 1;
+    Colour reflected = colour_grey(0.0f);
+    Colour through[3];
+    Vec3 refracted[3];
+    for (int i = 0; i < ways; i++) {
+        float r, t;
+        glass_way(eye, hit, direction, hit->material->index[first + i], &refracted[i], &r, &t);
+        reflected = splits ? colour_add(reflected, only_channel(i, r)) : colour_grey(r);
+        through[i] = splits ? only_channel(i, t) : colour_grey(t);
+    }
+
+    float mean = colour_sum(reflected) / 3.0f;
+    float take_reflected = 1.0f;
+    float take_through = 1.0f;
+    if (colour_max(carried.weight) < SPLIT_WEIGHT) {
+        bool reflect = rng_float(&eye->rng) < mean;
+        take_reflected = reflect ? 1.0f / mean : 0.0f;
+        take_through = reflect ? 0.0f : 1.0f / (1.0f - mean);
+    }
+    Vec3 back = mirror_direction(direction, hit->normal);
+    Colour sum = follow(eye, hit, back, colour_scale(reflected, take_reflected), carried);
+    for (int i = 0; i < ways; i++) {
+        EyeRay onward = carried;
+        onward.colour = splits ? (PhotonColour)(RED + i) : carried.colour;
+        sum = colour_add(sum, follow(eye, hit, refracted[i], colour_scale(through[i], take_through), onward));
+    }
+    return sum;
+}
+
+static Colour trace(Eye *eye, const Ray *ray, EyeRay carried)
+{
+    Hit hit;
+    eye->rays++;
+    if (carried.bounce > eye->options->settings.depth || !scene_intersect(eye->scene, ray, &hit))
+        return colour_grey(0.0f);
+    switch (hit.material->type) {
+    case MATERIAL_LIGHT:
+        return carried.sees_lights && hit.entering ? hit.material->radiance : colour_grey(0.0f);
+    case MATERIAL_DIFFUSE:
+    case MATERIAL_GLOSSY:
+        return rough_surface(eye, &hit, vec3_negate(ray->direction), carried);
+    case MATERIAL_MIRROR:
+        return follow(eye, &hit, mirror_direction(ray->direction, hit.normal), hit.material->specular, carried);
+    case MATERIAL_GLASS:
+        return glass_surface(eye, &hit, ray->direction, carried);
+    }
+    return colour_grey(0.0f);
+}
+
+Colour eye_radiance(Eye *eye, const Ray *ray)
+{
+    return trace(eye, ray, (EyeRay){colour_grey(1.0f), WHITE, 0, true});
+}

@@ -1,0 +1,30 @@
+// Refractive indices of real glasses by wavelength.
+#ifndef PHOTONLAB_SCENE_GLASS_CATALOGUE_H
+#define PHOTONLAB_SCENE_GLASS_CATALOGUE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// Dominant wavelengths of the sRGB primaries, nm: the wavelengths at which three-band glass is evaluated.
+#define WAVELENGTH_RED   611.28
+#define WAVELENGTH_GREEN 549.13
+#define WAVELENGTH_BLUE  464.31
+
+// n² = 1 + Σ B_i λ²/(λ² − C_i), λ in µm (Sellmeier 1871).
+typedef struct {
+    const char *name;
+    double b[4], c[4]; // C in µm²
+    const char *source;
+} SellmeierGlass;
+
+// NULL when there is no glass of that name (case does not matter).
+const SellmeierGlass *glass_find(const char *name);
+// The glass number i, NULL past the last: for listing.
+const SellmeierGlass *glass_at(size_t i);
+
+double glass_index(const SellmeierGlass *glass, double wavelength_nm);
+
+// n(λ) = A + B/λ² (Cauchy) through the index n_d at 587.562 nm, with the slope of Abbe number V_d = (n_d−1)/(n_F−n_C).
+double cauchy_index(double n_d, double abbe, double wavelength_nm);
+
+#endif

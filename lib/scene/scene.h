@@ -1,0 +1,64 @@
+// A scene, loaded and ready for rays.
+#ifndef PHOTONLAB_SCENE_SCENE_H
+#define PHOTONLAB_SCENE_SCENE_H
+
+#include "error.h"
+#include "scene/bvh.h"
+#include "scene/camera.h"
+#include "scene/light.h"
+#include "scene/material.h"
+#include "scene/shape.h"
+
+#include <stddef.h>
+
+#define MAX_MATERIALS 255
+
+// What the scene file asks for; flags of the command line go before.
+typedef struct {
+    int width, height; // pixels
+    int samples;       // eye rays per pixel
+    long photons;      // to emit
+    int k;             // photons in an estimate
+    float radius;      // largest radius of an estimate, m; 0: no limit (k alone decides)
+    int depth;         // bounces after which a path is cut
+} RenderSettings;
+
+typedef struct {
+    Camera camera;
+    RenderSettings settings;
+    Material *materials;
+    size_t material_count;
+    Light *lights;
+    size_t light_count;
+    Flat *flats;
+    size_t flat_count;
+    Sphere *spheres;
+    size_t sphere_count;
+    Vec3 *normals; // corner normals of meshes that have them
+    size_t normal_count;
+    Bvh *bvh;
+} Scene;
+
+// Where a ray meets the scene.
+typedef struct {
+    Vec3 position;
+    Vec3 normal;  // unit, on the side the ray came from; on mirrors and glass of a mesh with normals: interpolated
+    Vec3 face_normal; // unit, on the same side; never interpolated
+    float distance;
+    bool entering; // the ray came from outside (the side the surface's own normal points to)
+    const Material *material;
+    uint32_t primitive;
+} Hit;
+
+// Reads a YAML scene and the meshes it names (paths are relative to the scene file). NULL on any fault, with
+// "file:line:column: …" in the error.
+Scene *scene_load(const char *path, Error *error);
+void scene_free(Scene *scene);
+
+// The closest surface along the ray.
+bool scene_intersect(const Scene *scene, const Ray *ray, Hit *hit);
+
+// Is anything between the ray's origin and `distance`? The light's own surface does not count.
+bool scene_occluded(const Scene *scene, const Ray *ray, float distance, const Light *light);
+
+#endif

@@ -1,0 +1,34 @@
+#!/bin/sh
+# Installs what building and testing need, where the system's package manager is apt; elsewhere says what to install.
+set -eu
+
+packages="gcc make pkg-config libpng-dev libcyaml-dev libyaml-dev libcmocka-dev clang libomp-dev xz-utils"
+
+others='photonlab needs a C99 compiler, GNU make, libpng, libcyaml and libyaml; its tests also cmocka, clang with OpenMP, and xz.
+  Fedora     sudo dnf install gcc make pkgconf libpng-devel libcyaml-devel libyaml-devel libcmocka-devel clang libomp-devel xz
+  Arch       sudo pacman -S gcc make pkgconf libpng libyaml cmocka clang openmp xz; libcyaml from the AUR
+  Homebrew   brew install make pkg-config libpng libcyaml libyaml cmocka llvm libomp xz'
+
+if ! command -v apt-get >/dev/null 2>&1; then
+    echo "$others"
+    exit 0
+fi
+missing=""
+for package in $packages; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+echo "installing:$missing"
+if [ "$(id -u)" = 0 ]; then
+    as_root=""
+elif command -v sudo >/dev/null 2>&1; then
+    as_root="sudo"
+else
+    echo "not root, and no sudo here. As root, run:"
+    echo "  apt-get update && apt-get install -y$missing"
+    exit 1
+fi
+$as_root apt-get update -qq
+# shellcheck disable=SC2086  # the list is meant to fall apart into words
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
