@@ -1,0 +1,234 @@
+// How fast the photon map is built and asked.
+//   gather PHOTONS THREADS [QUERIES] [REPETITIONS]   "key value" lines, medians; compare with
+//   gather_nanoflann gather --curves [THREADS]                        a table from 10⁴ to 10⁷ photons
+#include "gather_common.h"
+#include "photons/photon_map.h"
+
+#include <string.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+typedef struct {
+    PhotonMap *map;
+    const BenchQuery *queries;
+    size_t query_count;
+    size_t k;     // for nearest
+    float radius; // for the others
+} Work;
+
+typedef struct {
+    double r2, found, power; // sums over all queries: to see that peers did the same
+} Sums;
+
+typedef Sums (*Measure)(const Work *work, size_t query, NearPhoton *near);
+
+typedef struct {
+    Vec3 point, normal;
+    float radius, per_radius;
+    size_t found;
+    Colour sum;
+} Tally;
+
+static Vec3 from_array(const float v[3])
+{
+    return vec3(v[0], v[1], v[2]);
+}
+
+static Sums measure_nearest(const Work *work, size_t query, NearPhoton *near)
+{
+    float r2 = INFINITY;
+    size_t found =
+        photon_map_nearest(work->map, from_array(work->queries[query].position), work->k, &r2, near);
+    return (Sums){(double)r2, (double)found, 0.0};
+}
+
+// Cone filter (Jensen 1996) and side test, as in an estimate of fixed radius.
+static inline void tally_add(Tally *tally, const StoredPhoton *photon, float distance2)
+{
+    tally->found++;
+    if (!stored_photon_on_side(photon, tally->normal))
+        return;
+    float weight = 1.0f - sqrtf(distance2) * tally->per_radius;
+    tally->sum = colour_add(tally->sum, colour_scale(photon->power, weight));
+}
+
+static void tally_run(const StoredPhoton *run, size_t count, void *user)
+{
+    Tally *tally = user;
+    for (size_t i = 0; i < count; i++) {
+        Vec3 d = vec3_sub(run[i].position, tally->point);
+        float distance2 = vec3_dot(d, d);
+        if (distance2 < tally->radius * tally->radius)
+            tally_add(tally, &run[i], distance2);
+    }
+}
+
+static Tally tally_start(const Work *work, size_t query)
+{
+    const BenchQuery *q = &work->queries[query];
+    return (Tally){.point = from_array(q->position),
+                   .normal = from_array(q->normal),
+                   .radius = work->radius,
+                   .per_radius = 1.0f / work->radius};
+}
+
+static Sums measure_visit(const Work *work, size_t query, NearPhoton *near)
+{
+    (void)near;
+    Tally tally = tally_start(work, query);
+    photon_map_visit(work->map, tally.point, work->radius, tally_run, &tally);
+    return (Sums){0.0, (double)tally.found, (double)colour_sum(tally.sum)};
+}
+
+static Sums measure_within(const Work *work, size_t query, NearPhoton *near)
+{
+    Tally tally = tally_start(work, query);
+    size_t found = photon_map_within(work->map, tally.point, work->radius, near, 2 * BENCH_MAX_K);
+    for (size_t i = 0; i < found; i++)
+        tally_add(&tally, near[i].photon, near[i].distance2);
+    return (Sums){0.0, (double)tally.found, (double)colour_sum(tally.sum)};
+}
+
+// Thousand queries a second, the median of all repetitions.
+static double rate(const Work *work, int repetitions, Measure measure, Sums *sums)
+{
+    double *seconds = bench_allocate((size_t)repetitions, sizeof *seconds);
+    for (int repetition = 0; repetition < repetitions; repetition++) {
+        double r2 = 0.0, found = 0.0, power = 0.0;
+        double start = bench_seconds();
+#ifdef _OPENMP
+#pragma omp parallel reduction(+ : r2, found, power)
+#endif
+        {
+            NearPhoton *near = bench_allocate(PHOTON_MAP_NEAREST_ROOM(BENCH_MAX_K), sizeof *near);
+#ifdef _OPENMP
+#pragma omp for schedule(static)
+#endif
+            for (size_t i = 0; i < work->query_count; i++) {
+                Sums one = measure(work, i, near);
+                r2 += one.r2;
+                found += one.found;
+                power += one.power;
+            }
+            free(near);
+        }
+        seconds[repetition] = bench_seconds() - start;
+        *sums = (Sums){r2, found, power};
+    }
+    double median = bench_median(seconds, repetitions);
+    free(seconds);
+    return 1e-3 * (double)work->query_count / median;
+}
+
+static StoredPhoton *make_photons(size_t count)
+{
+    BenchPhoton *plain = bench_allocate(count, sizeof *plain);
+    StoredPhoton *photons = bench_allocate(count, sizeof *photons);
+    bench_fill_photons(plain, count);
+    for (size_t i = 0; i < count; i++) {
+        photons[i].position = from_array(plain[i].position);
+        photons[i].power = colour(plain[i].power[0], plain[i].power[1], plain[i].power[2]);
+        photons[i].packed_wi = direction_pack(from_array(plain[i].wi));
+    }
+    free(plain);
+    return photons;
+}
+
+// Builds from a copy, `repetitions` times; returns the last map and the median of million photons a second.
+static PhotonMap *time_build(const StoredPhoton *photons, size_t count, int repetitions, double *mpoints_s)
+{
+    PhotonMap *map = NULL;
+    double *seconds = bench_allocate((size_t)repetitions, sizeof *seconds);
+    for (int repetition = 0; repetition < repetitions; repetition++) {
+        photon_map_free(map);
+        StoredPhoton *copy = bench_allocate(count, sizeof *copy);
+        memcpy(copy, photons, count * sizeof *copy);
+        Error error = {{0}};
+        double start = bench_seconds();
+        map = photon_map_build(copy, count, &error);
+        seconds[repetition] = bench_seconds() - start;
+        if (!map) {
+            fprintf(stderr, "%s\n", error.message);
+            exit(1);
+        }
+    }
+    *mpoints_s = 1e-6 * (double)count / bench_median(seconds, repetitions);
+    free(seconds);
+    return map;
+}
+
+static void set_threads(int threads)
+{
+#ifdef _OPENMP
+    omp_set_num_threads(threads);
+#else
+    (void)threads;
+#endif
+}
+
+static void print_measures(Work *work, const BenchArguments *arguments)
+{
+    int repetitions = arguments->repetitions;
+    double queries = (double)arguments->queries;
+    Sums sums;
+    for (int i = 0; i < BENCH_K_COUNT; i++) {
+        work->k = (size_t)bench_k[i];
+        work->query_count = bench_queries(arguments, bench_k[i]);
+        printf("knn%d_kq_s %.1f\n", bench_k[i], rate(work, repetitions, measure_nearest, &sums));
+        printf("knn%d_mean_r2 %.7g\n", bench_k[i], sums.r2 / (double)work->query_count);
+    }
+    work->query_count = arguments->queries;
+    printf("radius_kq_s %.1f\n", rate(work, repetitions, measure_within, &sums));
+    printf("radius_mean_found %.4f\nradius_power %.7g\n", sums.found / queries, sums.power / queries);
+    printf("radius_visit_kq_s %.1f\n", rate(work, repetitions, measure_visit, &sums));
+    printf("radius_visit_power %.7g\n", sums.power / queries);
+}
+
+static int print_curves(int threads)
+{
+    enum { QUERIES = 100000, REPETITIONS = 3 };
+    set_threads(threads);
+    BenchQuery *queries = bench_allocate(QUERIES, sizeof *queries);
+    bench_fill_queries(queries, QUERIES);
+    printf("%10s %14s %12s %12s %14s\n", "photons", "build Mp/s", "k=50 kq/s", "k=1000 kq/s", "bytes/photon");
+    for (size_t count = 10000; count <= 10000000; count *= 10) {
+        StoredPhoton *photons = make_photons(count);
+        double build;
+        PhotonMap *map = time_build(photons, count, REPETITIONS, &build);
+        Work work = {map, queries, QUERIES, 50, 0.0f};
+        Sums sums;
+        double small = rate(&work, REPETITIONS, measure_nearest, &sums);
+        work.k = 1000;
+        work.query_count = QUERIES / 10;
+        double large = rate(&work, REPETITIONS, measure_nearest, &sums);
+        printf("%10zu %14.1f %12.1f %12.1f %14.2f\n", count, build, small, large,
+               (double)photon_map_bytes(map) / (double)count);
+        photon_map_free(map);
+        free(photons);
+    }
+    free(queries);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1 && strcmp(argv[1], "--curves") == 0)
+        return print_curves((int)bench_number(argc, argv, 2, 1, 1024));
+    BenchArguments arguments = bench_arguments(argc, argv);
+    set_threads(arguments.threads);
+    StoredPhoton *photons = make_photons(arguments.photons);
+    BenchQuery *queries = bench_allocate(arguments.queries, sizeof *queries);
+    bench_fill_queries(queries, arguments.queries);
+    double build;
+    PhotonMap *map = time_build(photons, arguments.photons, arguments.repetitions, &build);
+    printf("build_mpoints_s %.2f\n", build);
+    printf("bytes_per_photon %.2f\n", (double)photon_map_bytes(map) / (double)arguments.photons);
+    Work work = {map, queries, arguments.queries, 0, bench_radius(arguments.photons)};
+    print_measures(&work, &arguments);
+    photon_map_free(map);
+    free(photons);
+    free(queries);
+    return 0;
+}

@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# Speed against what a user would otherwise take, side by side in one run, as ratios (above 1: ours is faster). Ours and what is compiled here
+# get the same flags, -O3 -march=native; libembree and povray come as the package manager has them.
+# Usage: run.sh [gather|rays|pictures|photons …]   (all four)
+set -u
+cd "$(dirname "$0")/../.."
+here=tests/bench
+out=build/bench
+mkdir -p "$out"
+. tests/common.sh
+parts="${*:-photons gather rays pictures}"
+
+missing=""
+for package in g++ libnanoflann-dev libembree-dev povray xz-utils; do
+    dpkg-query -W -f '${Status}' $package 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
+done
+if [ -n "$missing" ]; then
+    echo "installing for the bench:$missing"
+    # shellcheck disable=SC2086
+    apt-get install -y -qq --no-install-recommends $missing >/dev/null 2>&1 ||
+        sudo apt-get install -y -qq --no-install-recommends $missing >/dev/null 2>&1 ||
+        { echo "cannot install; as root: apt-get install$missing"; exit 1; }
+fi
+
+flags="-O3 -march=native -ffp-contract=off -fno-math-errno -D_DEFAULT_SOURCE -Ilib -fopenmp"
+make --no-print-directory -s BUILD=build/native EXTRA=-march=native all meshes || exit 1
+native=build/native/photonlab
+libs="-Lbuild/native -lphotonlab -Wl,-rpath,$PWD/build/native -lm"
+
+value() { # FILE KEY: median over the lines that KEY has in FILE
+    awk -v key="$2" '$1 == key { v[n++] = $2 } END { for (i = 1; i < n; i++) for (j = i; j > 0 && v[j-1] > v[j]; j--) { t = v[j]; v[j] = v[j-1]; v[j-1] = t } print v[int(n / 2)] }' "$1"
+}
+
+# row LABEL KEY OURS PEER WANTED [inverse]: a ratio of two files' values, above 1 when ours is better
+row() {
+    local a b
+    a=$(value "$3" "$2")
+    b=$(value "$4" "$2")
+    awk -v l="$1" -v a="$a" -v b="$b" -v w="$5" -v inverse="${6:-}" \
+        'BEGIN { r = inverse ? b / a : a / b; printf "  %-46s %10.4g %10.4g   ratio %5.2f   wanted %s  %s\n", l, a, b, r, w, r >= w ? "✓" : "✗" }'
+}
+
+photons() {
+    echo "Photon pass, box_glass, every bounce (wanted: 1.3 M paths a second on a thread, 1.9 times that on two)"
+    $native bench --most 1
+    echo
+}
+
+gather() {
+    gcc -std=c99 $flags $here/gather.c -o $out/gather $libs
+    g++ -std=c++17 $flags $here/gather_nanoflann.cpp -o $out/gather_nanoflann -lpthread
+    local threads i
+    for threads in 1 2; do
+        rm -f $out/gather.txt $out/nanoflann.txt
+        for i in 1 2 3; do
+            $out/gather 1000000 $threads 50000 3 >>$out/gather.txt
+            $out/gather_nanoflann 1000000 $threads 50000 3 >>$out/nanoflann.txt
+        done
+        echo "Gather, 1 M photons, $threads thread(s): photonlab, nanoflann"
+        row "build, M photons/s" build_mpoints_s $out/gather.txt $out/nanoflann.txt 1
+        row "50 nearest, k look-ups/s" knn50_kq_s $out/gather.txt $out/nanoflann.txt 1.5
+        row "100 nearest, k look-ups/s" knn100_kq_s $out/gather.txt $out/nanoflann.txt 1.5
+        row "fixed radius, ~50 found, k look-ups/s" radius_kq_s $out/gather.txt $out/nanoflann.txt 2
+    done
+    $out/gather --curves 2
+    echo
+}
+
+rays() {
+    gcc -std=c99 $flags $here/rays.c -o $out/rays $libs
+    gcc -std=c99 $flags $here/rays_embree.c -o $out/rays_embree -lembree3 -lm
+    local scene threads i
+    for scene in box mesh; do
+        for threads in 1 2; do
+            rm -f $out/rays.txt $out/embree.txt
+            for i in 1 2 3; do
+                $out/rays $scene $threads 500000 3 >>$out/rays.txt
+                $out/rays_embree $scene $threads 500000 3 >>$out/embree.txt
+            done
+            echo "Rays, $scene of $(value $out/rays.txt triangles) triangles, $threads thread(s): photonlab, Embree"
+            row "closest hit, incoherent, M rays/s" closest_mrays $out/rays.txt $out/embree.txt 0.5
+            row "any hit, M rays/s" any_mrays $out/rays.txt $out/embree.txt 0
+            row "camera rays, M rays/s" camera_mrays $out/rays.txt $out/embree.txt 0
+            row "build, s" build_seconds $out/rays.txt $out/embree.txt 0.25 inverse
+        done
+    done
+    echo
+}
+
+seconds() { # COMMAND…: wall clock
+    local start
+    start=$(date +%s.%N)
+    "$@" >/dev/null 2>&1
+    echo "$(date +%s.%N) $start" | awk '{ printf "%.3f", $1 - $2 }'
+}
+
+# picture SCENE LABEL WANTED_ERROR WANTED_SHARE FLAGS…: ours and POV-Ray in turn, three times
+picture() {
+    local scene=$1 label=$2 error=$3 share=$4
+    shift 4
+    rm -f $out/ours.txt $out/povray.txt
+    local i
+    for i in 1 2 3; do
+        echo "s $(seconds $native render scenes/$scene.yaml --size 512x512 --threads 2 --quiet -o $out/$scene.pfm "$@")" >>$out/ours.txt
+        echo "s $(cd $here && seconds povray +I$scene.pov "+O../../$out/$scene-povray.png" +FN16 File_Gamma=srgb +W512 +H512 +A0.1 +AM1 +R2 -D +WT2)" >>$out/povray.txt
+    done
+    xz -dc tests/reference/${scene}_512.pfm.xz >$out/$scene-reference.pfm
+    local json
+    json=$($native diff $out/$scene.pfm $out/$scene-reference.pfm --mask 204,56,308,90 --json)
+    awk -v s="$scene" -v l="$label" -v a="$(value $out/ours.txt s)" -v b="$(value $out/povray.txt s)" -v e="$(number "$json" relmse_trimmed)" -v we="$error" -v ws="$share" \
+        'BEGIN { printf "  %-12s %-34s %6.2f s  POV-Ray %6.2f s  share %.2f (wanted %s)  relMSE %.2e (wanted %s)  %s\n", s, l, a, b, a / b, ws, e, we, (a / b <= ws && e <= we) ? "✓" : "✗" }'
+}
+
+pictures() {
+    echo "Pictures, 512×512, two threads, whole process: to pbrt-v3 SPPM's error in a third of its time, which is this share of POV-Ray's;"
+    echo "then to POV-Ray's own error in its own time"
+    picture box_diffuse "to 2.4e-3" 2.4e-3 0.68 --photons 500000 --k 120 --samples 4
+    picture box_glass "to 3.4e-3" 3.4e-3 0.23 --photons 400000 --k 100 --samples 4
+    picture box_diffuse "to POV-Ray's error (aim)" 2.6e-4 1 --photons 4000000 --k 1000 --samples 16
+    picture box_glass "to POV-Ray's error (aim)" 4.2e-4 1 --photons 6000000 --k 1000 --samples 32
+    echo
+}
+
+for part in $parts; do $part; done

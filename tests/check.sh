@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Everything `make check` runs, part by part, with the sum of all tests at the end. Usage: check.sh MAKE
+set -u
+make=${1:-make}
+passed=0
+failed=0
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+
+# Each part closes with "N passed, N failed"; one that does not has failed as a whole.
+part() {
+    local title=$1
+    shift
+    echo "── $title"
+    local start=$SECONDS
+    "$@" >"$log" 2>&1
+    local code=$?
+    local sum
+    sum=$(grep -E '^[0-9]+ passed, [0-9]+ failed$' "$log" | tail -1)
+    if [ -z "$sum" ]; then
+        if [ $code = 0 ]; then sum="1 passed, 0 failed"; else sum="0 passed, 1 failed"; fi
+    elif [ $code != 0 ] && [[ $sum == *" 0 failed" ]]; then
+        sum="${sum%% *} passed, 1 failed"
+    fi
+    if [[ $sum == *" 0 failed" ]]; then
+        grep -E '^[✓○] ' "$log"
+    else
+        tail -80 "$log"
+    fi
+    set -- $sum
+    passed=$((passed + $1))
+    failed=$((failed + $3))
+    echo "   $((SECONDS - start)) s"
+}
+
+part "unit tests" "$make" --no-print-directory check-unit
+part "unit tests under sanitizers" "$make" --no-print-directory check-sanitized
+part "gcc and clang, threads: the same bytes" "$make" --no-print-directory check-bytes
+part "command line" "$make" --no-print-directory check-cli
+part "against an independent renderer" "$make" --no-print-directory reference
+part "photons against the path tracer" "$make" --no-print-directory agreement
+
+echo
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]

@@ -1,0 +1,26 @@
+// libFuzzer target: whatever bytes a PFM file holds, reading it ends in an image of finite pixels or in an
+// error.
+//   clang -g -O1 -fsanitize=fuzzer,address,undefined -D_DEFAULT_SOURCE -Ilib tests/fuzz/fuzz_pfm.c
+//   lib/image/*.c \
+//       lib/error.c -lpng -lm -o fuzz_pfm && ./fuzz_pfm CORPUS_FOLDER
+#include "image/codec.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    Image image;
+    Error error = {""};
+    bool good = image_read_pfm_memory(&image, bytes, size, "fuzz.pfm", &error);
+    if (good && (error.message[0] || image.width < 1 || image.height < 1 ||
+                 !image_check_finite(&image, "fuzz.pfm", &error)))
+        abort();
+    if (!good && (image.pixels || strncmp(error.message, "fuzz.pfm:", 9) != 0))
+        abort();
+    image_free(&image);
+    return 0;
+}

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Both integrators against the images of an independent renderer (README.md beside this file). Usage: compare.sh PROGRAM
+set -u
+here=$(dirname "$0")
+. "$here/../common.sh"
+program=$1
+
+# compare NAME SCENE RELMSE_LIMIT FLAGS…: mean ratio within 0.5 % per channel; trimmed relMSE below the limit (0: not asked).
+compare() {
+    local name=$1 scene=$2 limit=$3
+    shift 3
+    "$program" render "scenes/$scene.yaml" --size 512x512 --quiet -o "$work/image.pfm" "$@" || { bad "$name: does not run"; return; }
+    local json
+    json=$("$program" diff "$work/image.pfm" "$work/$scene.pfm" --mask 204,56,308,90 --json)
+    local c
+    for c in 0 1 2; do
+        check "$(number "$json" mean_ratio $c) > 0.995 && $(number "$json" mean_ratio $c) < 1.005" \
+            "$name: mean ratio of channel $c is $(number "$json" mean_ratio $c)"
+    done
+    local error
+    error=$(number "$json" relmse_trimmed)
+    if [ "$limit" = 0 ]; then return; fi
+    check "$error < $limit" "$name: trimmed relMSE is $error"
+}
+
+for scene in box_diffuse box_glass; do
+    xz -dc "$here/${scene}_512.pfm.xz" >"$work/$scene.pfm"
+    compare "$scene, path" $scene 0 --integrator path --samples 16 --depth 64
+    compare "$scene, photons" $scene 2e-3 --photons 2000000 --k 200 --samples 16 --depth 64
+done
+finish

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# The same bytes for 1, 2 and 7 threads and from two compilers. Usage: same_bytes.sh PROGRAM OTHER_PROGRAM
+set -u
+here=$(dirname "$0")
+. "$here/common.sh"
+ours=$1
+other=$2
+
+# same NAME ENDING ARGUMENTS…: what the arguments write, by every number of threads and both programs.
+same() {
+    local name=$1 ending=$2
+    shift 2
+    "$ours" "$@" --quiet --threads 1 -o "$work/one$ending" || { bad "$name: does not run"; return; }
+    local t
+    for t in 2 7; do
+        "$ours" "$@" --quiet --threads $t -o "$work/many$ending"
+        if cmp -s "$work/one$ending" "$work/many$ending"; then good "$name: 1 and $t threads"; else bad "$name: 1 and $t threads differ"; fi
+    done
+    "$other" "$@" --quiet --threads 2 -o "$work/other$ending"
+    if cmp -s "$work/one$ending" "$work/other$ending"; then good "$name: gcc and clang"; else bad "$name: gcc and clang differ"; fi
+}
+
+for scene in box_glass box_glossy box_dispersion diamond cornell_box; do
+    same "$scene, photons" .pfm render "scenes/$scene.yaml" --size 97x61 --photons 60000 --samples 3 --k 40
+done
+same "box_glossy, steps 2.3 and 1.5" .pfm render scenes/box_glossy.yaml --steps 2.3,1.5 --size 97x61 --photons 60000 --samples 3
+same "box_glass, photons only" .pfm render scenes/box_glass.yaml --integrator photons-only --size 97x61 --photons 60000 --samples 2
+same "box_dispersion, path" .pfm render scenes/box_dispersion.yaml --integrator path --size 97x61 --samples 4
+same "box_dispersion, stored photons" .ply photons scenes/box_dispersion.yaml --photons 50000
+same "prism, PNG" .png render scenes/prism.yaml --size 96x54 --photons 60000 --samples 2
+finish

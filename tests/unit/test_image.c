@@ -1,0 +1,285 @@
+// Images: the sRGB curve, files that are written and read again, writes that fail, differences worked out by
+// hand.
+#include "image/image.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <dirent.h>
+#include <float.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static char folder[] = "/tmp/photonlab-image-XXXXXX";
+
+// ---- Helpers ----
+
+static int enter_folder(void **state)
+{
+    (void)state;
+    return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
+}
+
+// Counts what is in the folder; removes it too if asked.
+static int count_files(bool empty)
+{
+    int count = 0;
+    DIR *directory = opendir(".");
+    assert_non_null(directory);
+    for (struct dirent *entry; (entry = readdir(directory));)
+        if (entry->d_name[0] != '.') {
+            count++;
+            if (empty)
+                remove(entry->d_name);
+        }
+    closedir(directory);
+    return count;
+}
+
+static int leave_folder(void **state)
+{
+    (void)state;
+    count_files(true);
+    return chdir("/") == 0 && rmdir(folder) == 0 ? 0 : -1;
+}
+
+static Image make_image(int width, int height)
+{
+    Image image;
+    assert_true(image_create(&image, width, height, NULL));
+    return image;
+}
+
+// Values from 0 to 1 which no two neighbours share.
+static Image make_pattern(int width, int height)
+{
+    Image image = make_image(width, height);
+    for (int i = 0; i < width * height; i++)
+        image.pixels[i] = colour((float)(i * 37 % 101) / 100.0f, (float)(i * 53 % 97) / 96.0f,
+                                 (float)(i * 71 % 89) / 8800.0f);
+    return image;
+}
+
+static void assert_message(const Error *error, const char *part)
+{
+    if (!strstr(error->message, part))
+        fail_msg("\"%s\" does not say \"%s\"", error->message, part);
+}
+
+// ---- Curve and memory ----
+
+static void curve_has_known_values(void **state)
+{
+    (void)state;
+    assert_float_equal(srgb_encode(0.5f), 0.735357f, 1e-6f);
+    assert_float_equal(srgb_encode(0.18f), 0.461356f, 1e-6f);
+    assert_float_equal(srgb_encode(0.002f), 0.02584f, 1e-7f);
+    assert_float_equal(srgb_decode(0.5f), 0.214041f, 1e-6f);
+    assert_float_equal(srgb_decode(0.02584f), 0.002f, 1e-8f);
+    const float clipped[][2] = {{0, 0}, {-1, 0}, {1, 1}, {2, 1}, {INFINITY, 1}, {-INFINITY, 0}, {NAN, 0}};
+    for (size_t i = 0; i < sizeof clipped / sizeof *clipped; i++) {
+        assert_true(srgb_encode(clipped[i][0]) == clipped[i][1]);
+        assert_true(srgb_decode(clipped[i][0]) == clipped[i][1]);
+    }
+}
+
+static void curve_and_back_keeps_16_bits(void **state)
+{
+    (void)state;
+    for (int i = 0; i <= 65535; i++) {
+        float again = srgb_encode(srgb_decode((float)i / 65535.0f));
+        assert_int_equal((int)(again * 65535.0f + 0.5f), i);
+    }
+}
+
+static void create_refuses_impossible_sizes(void **state)
+{
+    (void)state;
+    const int sizes[][2] = {{0, 1}, {1, 0}, {-3, 5}, {65537, 1}, {1, 65537}, {65536, 65536}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        Error error = {""};
+        Image image = {7, 7, NULL};
+        assert_false(image_create(&image, sizes[i][0], sizes[i][1], &error));
+        assert_message(&error, "the size is");
+        assert_null(image.pixels);
+        image_free(&image);
+    }
+    Image image = make_image(IMAGE_MAX_SIDE, 1);
+    assert_true(image_at(&image, IMAGE_MAX_SIDE - 1, 0)->b == 0.0f);
+    image_free(&image);
+    image_free(&image);
+}
+
+// ---- Files ----
+
+static const int sizes[][2] = {{1, 1}, {1, 7}, {9, 1}, {5, 3}, {64, 33}};
+#define SIZES (sizeof sizes / sizeof *sizes)
+
+static void pfm_comes_back_exactly(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SIZES; i++) {
+        Image image = make_pattern(sizes[i][0], sizes[i][1]), again;
+        image.pixels[0] = colour(-FLT_MAX, 1e-42f, -0.0f);
+        assert_true(image_write(&image, "exact.PFM", NULL));
+        assert_true(image_read(&again, "exact.PFM", NULL));
+        assert_int_equal(again.width, image.width);
+        assert_int_equal(again.height, image.height);
+        assert_memory_equal(again.pixels, image.pixels,
+                            sizeof(Colour) * (size_t)image.width * (size_t)image.height);
+        image_free(&image);
+        image_free(&again);
+    }
+}
+
+static void png_comes_back_within_half_a_step(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < 2 * SIZES; i++) {
+        int bits = i % 2 ? 8 : 16;
+        float step = bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f;
+        Image image = make_pattern(sizes[i / 2][0], sizes[i / 2][1]), again;
+        image.pixels[0] = colour(-1.0f, 1e30f, 0.5f);
+        assert_true(image_write_png(&image, "near.png", bits, NULL));
+        assert_true(image_read(&again, "near.png", NULL));
+        assert_int_equal(again.width, image.width);
+        assert_int_equal(again.height, image.height);
+        for (int p = 0; p < image.width * image.height; p++)
+            for (int c = 0; c < 3; c++)
+                assert_float_equal(srgb_encode(colour_channel(again.pixels[p], c)),
+                                   srgb_encode(colour_channel(image.pixels[p], c)), 0.5f * step + 1e-6f);
+        image_free(&image);
+        image_free(&again);
+    }
+}
+
+static void endings_choose_the_format(void **state)
+{
+    (void)state;
+    const char *known[] = {"a.png", "a.PNG", "b.c/d.Pfm"}, *unknown[] = {"a.jpg", "png", "a.png/b", "", "a."};
+    for (size_t i = 0; i < 3; i++)
+        assert_true(image_path_is_known(known[i], NULL));
+    Image image = make_image(1, 1), none;
+    for (size_t i = 0; i < 5; i++) {
+        Error error = {""};
+        assert_false(image_path_is_known(unknown[i], &error));
+        assert_message(&error, i == 0 ? "ends in .jpg; expected .png" : i == 4 ? "ends in .;" : "no ending");
+        assert_false(image_write(&image, unknown[i], NULL));
+        assert_false(image_read(&none, unknown[i], NULL));
+    }
+    image_free(&image);
+}
+
+static void paths_that_cannot_be_used_are_named(void **state)
+{
+    (void)state;
+    Image image = make_image(1, 1), none = {0};
+    Error missing = {""}, no_folder = {""}, folder_read = {""}, folder_write = {""}, device = {""},
+          bits = {""};
+    assert_int_equal(mkdir("folder.png", 0777), 0);
+    assert_false(image_read(&none, "missing.png", &missing));
+    assert_message(&missing, "missing.png: cannot be read: No such file");
+    assert_false(image_write(&image, "nowhere/a.pfm", &no_folder));
+    assert_message(&no_folder, "nowhere/a.pfm: cannot be written: No such file");
+    assert_false(image_read(&none, "folder.png", &folder_read));
+    assert_message(&folder_read, "folder.png: is a directory");
+    assert_false(image_write(&image, "folder.png", &folder_write));
+    assert_message(&folder_write, "folder.png: is a directory");
+    assert_false(image_write_pfm(&image, "/dev/null", &device));
+    assert_message(&device, "/dev/null: is not a regular file");
+    assert_false(image_write_png(&image, "a.png", 12, &bits));
+    assert_message(&bits, "expected 8 or 16");
+    assert_false(image_write_png(&none, "a.png", 8, NULL));
+    rmdir("folder.png");
+    image_free(&image);
+}
+
+static void assert_whole(const char *path, int width)
+{
+    Image image;
+    assert_true(image_read(&image, path, NULL));
+    assert_int_equal(image.width, width);
+    image_free(&image);
+}
+
+static void failed_writes_keep_the_old_file(void **state)
+{
+    (void)state;
+    const char *paths[] = {"keep.png", "keep.pfm"};
+    const float bad[] = {NAN, INFINITY, -INFINITY};
+    Image old = make_pattern(5, 4), large = make_pattern(64, 64);
+    for (int i = 0; i < 2; i++) {
+        count_files(true);
+        assert_true(image_write(&old, paths[i], NULL));
+        for (int b = 0; b < 3; b++) {
+            Error error = {""};
+            Image image = make_pattern(6, 4);
+            image_at(&image, 3, 2)->g = bad[b];
+            assert_false(image_write(&image, paths[i], &error));
+            assert_message(&error, "column 3, row 2");
+            image_free(&image);
+        }
+        // A limit on the length of files stands for the full disk. It hits everything, so it goes before the
+        // checks.
+        Error error = {""};
+        struct rlimit limit, small;
+        signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &limit);
+        small = limit;
+        small.rlim_cur = 1000;
+        setrlimit(RLIMIT_FSIZE, &small);
+        bool written = image_write(&large, paths[i], &error);
+        setrlimit(RLIMIT_FSIZE, &limit);
+        assert_false(written);
+        assert_message(&error, "File too large");
+        assert_int_equal(count_files(false), 1);
+        assert_whole(paths[i], 5);
+        assert_true(image_write(&large, paths[i], NULL));
+        assert_int_equal(count_files(false), 1);
+        assert_whole(paths[i], 64);
+    }
+    image_free(&old);
+    image_free(&large);
+}
+
+static void protected_places_are_refused(void **state)
+{
+    (void)state;
+    if (geteuid() == 0)
+        skip(); // the administrator may write anywhere
+    Image image = make_image(1, 1);
+    Error file = {""}, place = {""};
+    assert_true(image_write(&image, "protected.png", NULL));
+    assert_int_equal(chmod("protected.png", 0444), 0);
+    assert_false(image_write(&image, "protected.png", &file));
+    assert_int_equal(chmod(".", 0555), 0);
+    assert_false(image_write(&image, "new.png", &place));
+    assert_int_equal(chmod(".", 0777), 0);
+    assert_message(&file, "protected.png: cannot be written: Permission denied");
+    assert_message(&place, "new.png: cannot be written: Permission denied");
+    image_free(&image);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(curve_has_known_values),
+        cmocka_unit_test(curve_and_back_keeps_16_bits),
+        cmocka_unit_test(create_refuses_impossible_sizes),
+        cmocka_unit_test(pfm_comes_back_exactly),
+        cmocka_unit_test(png_comes_back_within_half_a_step),
+        cmocka_unit_test(endings_choose_the_format),
+        cmocka_unit_test(paths_that_cannot_be_used_are_named),
+        cmocka_unit_test(failed_writes_keep_the_old_file),
+        cmocka_unit_test(protected_places_are_refused),
+    };
+    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
+}
