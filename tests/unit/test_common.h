@@ -1,0 +1,174 @@
+// What the tests of physics and of the steps share: reference steps, scenes from text, photons, and
+// statistics.
+//
+// Random tests draw from fixed seeds, so they give the same verdict on every run. They ask for 3 standard
+// errors (1 right test in 370 would miss that with another seed) or the 4 that the energy ledger promises.
+#ifndef PHOTONLAB_TEST_COMMON_H
+#define PHOTONLAB_TEST_COMMON_H
+
+#include "photonlab.h"
+#include "scene/scene_load.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double DEGREES = 57.295779513082321;
+
+// For cmocka's group setup: every test program runs the reference steps.
+static inline int load_reference_steps(void **state)
+{
+    (void)state;
+    Error error = {""};
+    if (steps_load(NULL, &error))
+        return 0;
+    print_error("%s\n", error.message);
+    return -1;
+}
+
+static inline void assert_within(double value, double expected, double tolerance, const char *what)
+{
+    if (!(fabs(value - expected) <= tolerance))
+        fail_msg("%s: %.9g, expected %.9g ± %.3g", what, value, expected, tolerance);
+}
+
+// Angle between two directions, degrees; exact for small angles too.
+static inline double angle_between(Vec3 a, Vec3 b)
+{
+    double cx = (double)a.y * b.z - (double)a.z * b.y;
+    double cy = (double)a.z * b.x - (double)a.x * b.z;
+    double cz = (double)a.x * b.y - (double)a.y * b.x;
+    double dot = (double)a.x * b.x + (double)a.y * b.y + (double)a.z * b.z;
+    return DEGREES * atan2(sqrt(cx * cx + cy * cy + cz * cz), dot);
+}
+
+// The unit vector in the xz-plane at this angle to +z, towards +x.
+static inline Vec3 tilted(double theta_degrees)
+{
+    return vec3((float)sin(theta_degrees / DEGREES), 0.0f, (float)cos(theta_degrees / DEGREES));
+}
+
+static inline Vec3 random_direction(Rng *rng)
+{
+    float z = 2.0f * rng_float(rng) - 1.0f;
+    float phi = 2.0f * PI * rng_float(rng);
+    float r = sqrtf(1.0f - z * z);
+    return vec3_normalize(vec3(r * cosf(phi), r * sinf(phi), z));
+}
+
+// ---- mean and its standard error
+typedef struct {
+    double sum, sum_of_squares;
+    long count;
+} Mean;
+
+static inline void mean_add(Mean *mean, double value)
+{
+    mean->sum += value;
+    mean->sum_of_squares += value * value;
+    mean->count++;
+}
+
+static inline double mean_value(const Mean *mean)
+{
+    return mean->sum / (double)mean->count;
+}
+
+static inline double mean_error(const Mean *mean)
+{
+    double m = mean_value(mean);
+    double variance = mean->sum_of_squares / (double)mean->count - m * m;
+    return sqrt(fmax(0.0, variance) / (double)mean->count);
+}
+
+static inline void assert_mean(const Mean *mean, double expected, const char *what)
+{
+    double rounding = 2e-6 * fabs(expected); // of the single-precision values themselves
+    assert_within(mean_value(mean), expected, 3.0 * mean_error(mean) + rounding, what);
+}
+
+// Is a share of `count` trials the probability `p`?
+static inline void assert_share(long hits, long count, double p, const char *what)
+{
+    double error = sqrt(p * (1.0 - p) / (double)count);
+    assert_within((double)hits / (double)count, p, 3.0 * error + 1e-9, what);
+}
+
+// ---- χ²
+// How many standard deviations the counts' χ² lies above its mean (Wilson & Hilferty 1931: its cube root is
+// nearly normal). Bins that expect fewer than 5 are taken together. Counts must sum to what the expectations
+// sum to.
+static inline double chi_square_deviations(const long *counts, const double *expected, int bins)
+{
+    double chi2 = 0.0, rest_expected = 0.0, rest_count = 0.0;
+    int used = 0;
+    for (int i = 0; i < bins; i++) {
+        double difference = (double)counts[i] - expected[i];
+        if (expected[i] < 5.0) {
+            rest_expected += expected[i];
+            rest_count += (double)counts[i];
+            continue;
+        }
+        chi2 += difference * difference / expected[i];
+        used++;
+    }
+    if (rest_expected >= 5.0) {
+        chi2 += (rest_count - rest_expected) * (rest_count - rest_expected) / rest_expected;
+        used++;
+    } else if (rest_count > 20.0) {
+        return INFINITY; // where next to nothing is expected
+    }
+    double k = (double)(used - 1);
+    return (cbrt(chi2 / k) - (1.0 - 2.0 / (9.0 * k))) / sqrt(2.0 / (9.0 * k));
+}
+
+static inline void assert_chi_square(const long *counts, const double *expected, int bins, const char *what)
+{
+    double deviations = chi_square_deviations(counts, expected, bins);
+    if (!(deviations <= 3.0))
+        fail_msg("%s: chi-square lies %.2f standard deviations above its mean", what, deviations);
+}
+
+// ---- scenes and photons
+static inline Scene *scene_from_text(const char *text)
+{
+    Error error = {""};
+    Scene *scene = scene_load_text(text, strlen(text), "scene of the test", "scenes/", &error);
+    if (!scene)
+        fail_msg("%s", error.message);
+    return scene;
+}
+
+static inline Scene *scene_from_file(const char *path)
+{
+    Error error = {""};
+    Scene *scene = scene_load(path, &error);
+    if (!scene)
+        fail_msg("%s (meshes are generated: run `make` first)", error.message);
+    return scene;
+}
+
+// All kinds of photons; they stand in pass.rest.
+static inline PhotonPass photons_of(const Scene *scene, long photons, uint64_t seed, StepChoice play)
+{
+    PhotonPassOptions options = {.photons = photons,
+                                 .depth = scene->settings.depth,
+                                 .seed = seed,
+                                 .keep = KEEP_ALL,
+                                 .glossy = play.glossy,
+                                 .loop = play.loop};
+    PhotonPass pass;
+    Error error = {""};
+    steps_play(play);
+    if (!photon_pass_run(scene, &options, &pass, &error))
+        fail_msg("%s", error.message);
+    return pass;
+}
+
+static const StepChoice PLAY_DEFAULT = {GLOSSY_PHONG, false};
+
+#endif
