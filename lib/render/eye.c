@@ -72,7 +72,9 @@ static Colour follow(Eye *eye, const Hit *hit, Vec3 direction, Colour share, Eye
 // the lobe ends. Lights are not seen there: shadow rays and the caustic map have counted them.
 static Colour indirect_lobe(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
 {
-    float lobe_share = eye->options->play.glossy == GLOSSY_PHONG ? 1.0f : 0.5f;
+    // The source text's scheme leaks past the lobe as well, by a share that grows with the angle.
+    float cos_o = vec3_dot(wo, hit->normal);
+    float lobe_share = eye->options->play.glossy == GLOSSY_PHONG ? 1.0f : fminf(0.5f * (1.0f + cos_o), 0.95f);
     float choice = rng_float(&eye->rng);
     float u, v;
     sampler_point(&eye->sampler, SAMPLER_LOBE + (uint32_t)carried.bounce, &u, &v);

@@ -21,6 +21,8 @@ typedef struct {
 Bvh *bvh_build(const Flat *flats, size_t flat_count, const Sphere *spheres, size_t sphere_count, Error *error);
 void bvh_free(Bvh *bvh);
 
+// A ray with a NaN, an infinity or no direction hits nothing.
+//
 // The closest hit with t_min < t < t_max (t_min ≥ 0), both sides of every surface; the direction need not be of unit length.
 // The primitive ray.from is not hit where the ray starts: a flat not at all, a sphere only on its far side (when the ray goes
 // inside). *hit means nothing where there is none.

@@ -187,8 +187,19 @@ static NOINLINE bool large_closest(const Bvh *bvh, const Ray *ray, float t_min, 
     return found;
 }
 
+// Minimum and maximum of NaN are whatever comes second, so a NaN would seem to hit every box, even those that are not there. A
+// student's step may well send one.
+static inline bool ray_is_sound(const Ray *ray)
+{
+    float length2 = vec3_dot(ray->direction, ray->direction);
+    float reach = fabsf(ray->origin.x) + fabsf(ray->origin.y) + fabsf(ray->origin.z);
+    return length2 > 0.0f && length2 < INFINITY && reach < INFINITY;
+}
+
 bool bvh_closest(const Bvh *bvh, const Ray *ray, float t_min, float t_max, BvhHit *hit)
 {
+    if (!ray_is_sound(ray))
+        return false;
     bool small = bvh->flats.root & bvh->spheres.root & LEAF;
     return (small ? small_closest : large_closest)(bvh, ray, t_min, t_max, hit);
 }
@@ -235,6 +246,8 @@ static inline bool tree_occluded(const Bvh *bvh, const Tree *tree, const Ray *ra
 
 bool bvh_occluded(const Bvh *bvh, const Ray *ray, float t_min, float t_max, uint32_t except)
 {
+    if (!ray_is_sound(ray))
+        return false;
     PacketRay packets = packet_ray(ray, t_min, except);
     return tree_occluded(bvh, &bvh->spheres, ray, &packets, t_max) ||
            tree_occluded(bvh, &bvh->flats, ray, &packets, t_max);

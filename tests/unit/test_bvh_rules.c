@@ -172,6 +172,32 @@ static void test_threads(void **state)
     bvh_free(several);
 }
 
+// What a student's step may send: in a tree with empty places beside real children.
+static void test_unsound_rays(void **state)
+{
+    (void)state;
+    memset(&shapes, 0, sizeof shapes);
+    for (int i = 0; i < 30; i++) {
+        add_flat(vec3((float)i, 0, 0), vec3(0.5f, 0, 0), vec3(0, 0.5f, 0), i % 2 == 0);
+        add_sphere(vec3((float)i, 3, 0), 0.4f);
+    }
+    Bvh *bvh = build();
+    const float bad[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 3; i++)
+        for (int axis = 0; axis < 6; axis++) {
+            float v[6] = {0.1f, 0.1f, -1.0f, 0.0f, 0.0f, 1.0f};
+            v[axis] = bad[i];
+            Ray ray = {vec3(v[0], v[1], v[2]), vec3(v[3], v[4], v[5]), NO_PRIMITIVE};
+            BvhHit hit;
+            assert_false(bvh_closest(bvh, &ray, 0.0f, INFINITY, &hit));
+            assert_false(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE));
+        }
+    Ray still = {vec3(0.1f, 0.1f, -1.0f), vec3(0, 0, 0), NO_PRIMITIVE};
+    BvhHit hit;
+    assert_false(bvh_closest(bvh, &still, 0.0f, INFINITY, &hit));
+    bvh_free(bvh);
+}
+
 static void test_bounds(void **state)
 {
     (void)state;
@@ -192,6 +218,7 @@ int main(void)
         cmocka_unit_test(test_leaving_flats),    cmocka_unit_test(test_leaving_spheres),
         cmocka_unit_test(test_sphere_precision), cmocka_unit_test(test_interval_length_and_except),
         cmocka_unit_test(test_threads),          cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_unsound_rays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
