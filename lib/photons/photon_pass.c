@@ -126,25 +126,29 @@ static void close_books(PhotonPass *pass, const PhotonTrace *chunks, long chunk_
 }
 
 // Joins what the chunks stored, in their order, freeing each as it is done: photons are held twice only chunk by chunk.
-static bool merge(PhotonPass *pass, PhotonTrace *chunks, long chunk_count, bool part_caustics)
+static bool merge(PhotonPass *pass, PhotonTrace *chunks, long chunk_count, const PhotonPassOptions *options)
 {
+    bool part_caustics = (options->keep & KEEP_CAUSTIC) && !(options->keep & KEEP_DIRECT);
     size_t total = 0;
     size_t caustics = 0;
-    for (long i = 0; i < chunk_count; i++) {
+    for (long i = 0; i < chunk_count; i++) { // where each chunk's photons start in either array
+        chunks[i].first_caustic = caustics;
+        chunks[i].first_rest = total - caustics;
         total += chunks[i].count;
-        for (size_t j = 0; part_caustics && j < chunks[i].count; j++)
-            caustics += chunks[i].photons[j].path == PATH_CAUSTIC;
+        caustics += part_caustics ? chunks[i].caustics : 0;
     }
     pass->stored = total;
-    pass->caustic.photons = malloc((caustics + 1) * sizeof(StoredPhoton));
-    pass->rest.photons = malloc((total - caustics + 1) * sizeof(StoredPhoton));
+    pass->caustic = (PhotonArray){malloc((caustics + 1) * sizeof(StoredPhoton)), caustics};
+    pass->rest = (PhotonArray){malloc((total - caustics + 1) * sizeof(StoredPhoton)), total - caustics};
     if (!pass->caustic.photons || !pass->rest.photons)
         return false;
+#pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
     for (long i = 0; i < chunk_count; i++) {
+        StoredPhoton *to_caustic = pass->caustic.photons + chunks[i].first_caustic;
+        StoredPhoton *to_rest = pass->rest.photons + chunks[i].first_rest;
         for (size_t j = 0; j < chunks[i].count; j++) {
-            const StoredPhoton *photon = &chunks[i].photons[j];
-            PhotonArray *to = part_caustics && photon->path == PATH_CAUSTIC ? &pass->caustic : &pass->rest;
-            to->photons[to->count++] = *photon;
+            bool apart = part_caustics && chunks[i].photons[j].path == PATH_CAUSTIC;
+            *(apart ? to_caustic++ : to_rest++) = chunks[i].photons[j];
         }
         free(chunks[i].photons);
         chunks[i].photons = NULL;
@@ -182,8 +186,7 @@ bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, Photo
         close_books(pass, chunks, chunk_count);
         for (long i = 0; i < chunk_count; i++)
             ok = ok && !chunks[i].out_of_memory;
-        bool part_caustics = (options->keep & KEEP_CAUSTIC) && !(options->keep & KEEP_DIRECT);
-        ok = ok && merge(pass, chunks, chunk_count, part_caustics);
+        ok = ok && merge(pass, chunks, chunk_count, options);
         for (long i = 0; i < chunk_count; i++)
             free(chunks[i].photons);
     }

@@ -74,6 +74,7 @@ void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
     if (trace->count == trace->room && !grow(trace))
         return;
     int before = photon->bounce - 1;
+    trace->caustics += photon->path == PATH_CAUSTIC;
     trace->photons[trace->count++] = (StoredPhoton){
         .position = hit->position,
         .power = photon->power,
