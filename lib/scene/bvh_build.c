@@ -174,7 +174,8 @@ static void build_range(const Builder *builder, Range range, uint32_t node)
                      .first = range.first,
                      .high = {range.box.high[0], range.box.high[1], range.box.high[2]},
                      .count = range.count};
-    if (range.count <= PACKET)
+    bool is_small_scene = range.depth == 0 && range.count <= SMALL_SCENE;
+    if (range.count <= PACKET || is_small_scene)
         return;
     Cut cut = cut_find(builder->references, &range);
     if (range_is_leaf(&range, &cut))

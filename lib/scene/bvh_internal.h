@@ -29,6 +29,8 @@
 #define LEAF_MAX_PACKETS 8
 #define NO_CHILD         UINT32_MAX
 
+#define SMALL_SCENE 16 // so few primitives are looked at without any box
+
 typedef struct {
     float bounds[6][WIDTH]; // low x, y, z, high x, y, z of each child; an unused one has low = +∞, high = −∞
     uint32_t child[WIDTH];
