@@ -116,7 +116,7 @@ pictures() {
     echo "then to POV-Ray's own error in its own time"
     picture box_diffuse "to 2.4e-3" 2.4e-3 0.68 --photons 500000 --k 120 --samples 4
     picture box_glass "to 3.4e-3" 3.4e-3 0.23 --photons 400000 --k 100 --samples 4
-    picture box_diffuse "to POV-Ray's error (aim)" 2.6e-4 1 --photons 4000000 --k 1000 --samples 16
+    picture box_diffuse "to POV-Ray's error (aim)" 2.6e-4 1 --photons 8000000 --k 2500 --samples 32
     picture box_glass "to POV-Ray's error (aim)" 4.2e-4 1 --photons 6000000 --k 1000 --samples 32
     echo
 }
