@@ -3,6 +3,23 @@
 # One tree of objects per BUILD directory, so that variants (sanitizers, another compiler, native code) stand side by side:
 #     make BUILD=build/clang CC=clang
 
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+endif
+
+# On a machine that has no compiler yet, what the rest of this file finds out would be found out too early: after `setup` a
+# second make looks again.
+ifneq ($(filter setup,$(MAKECMDGOALS)),)
+
+.NOTPARALLEL:
+.PHONY: $(MAKECMDGOALS)
+setup:
+	@sh tests/setup.sh
+$(filter-out setup,$(MAKECMDGOALS)): setup
+	@$(MAKE) --no-print-directory $@
+
+else
+
 BUILD  ?= build
 CC     := $(if $(filter default,$(origin CC)),$(firstword $(foreach c,gcc clang cc,$(shell command -v $(c) 2>/dev/null)) cc),$(CC))
 SYSTEM := $(shell uname -s)
@@ -41,41 +58,48 @@ STEPS    = $(STEP_SOURCES:%.c=$(BUILD)/%.so)
 TESTS    = $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/tests/%)
 MESHES   = $(addprefix scenes/meshes/,diamond.obj bumpy_sphere.obj ring.obj)
 
+# `make V=1` shows whole commands.
+Q   = $(if $(V),,@)
+say = @$(if $(V),:,echo "  $(1) $(2)")
+
 .PHONY: all
 all: $(PROGRAM) $(STEPS)
 
 $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
+	$(call say,cc,$<)
+	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
 
 $(LIBRARY): $(call object,$(LIBRARY_SOURCES))
-	$(CC) $(CFLAGS) $(SHARED) $^ -o $@.new $(LDLIBS)
+	$(call say,link,$@)
+	$(Q)$(CC) $(CFLAGS) $(SHARED) $^ -o $@.new $(LDLIBS)
 	@mv $@.new $@
 
 $(PROGRAM): $(call object,$(PROGRAM_SOURCES)) $(LIBRARY)
-	$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(LDLIBS)
+	$(call say,link,$@)
+	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(LDLIBS)
 
 # One shared object per step. Written beside and renamed, since a running program may be loading the old one.
 $(BUILD)/solutions/%.so: $(BUILD)/obj/solutions/%.o
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(PLUGIN) $< -o $@.new
+	$(Q)$(CC) $(CFLAGS) $(PLUGIN) $< -o $@.new
 	@mv $@.new $@
 
 $(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $< -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/..' -o $@ $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) $< -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/..' -o $@ $(LDLIBS)
 
 $(BUILD)/make_meshes: scenes/make_meshes.c
 	@mkdir -p $(@D)
-	$(CC) $(STRICT) -O2 $< -o $@ -lm
+	$(Q)$(CC) $(STRICT) -O2 $< -o $@ -lm
 
 scenes/meshes/%.obj: | $(BUILD)/make_meshes
 	@mkdir -p $(@D)
-	$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
+	$(Q)$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
 
 # ---- what there is to do; `make help` prints the lines with two hashes ----
 
-.PHONY: help setup demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli reference agreement \
+.PHONY: help demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli reference agreement \
         bench bench-peers fuzz format clean
 
 ## help            this list
@@ -86,8 +110,6 @@ help:
 ## (no target)     build the program: build/photonlab, and the reference steps: build/solutions/
 
 ## setup           install what is missing (by apt; on other systems it says what to install)
-setup:
-	@sh tests/setup.sh
 
 ## demo            render the course's pictures into build/demo/
 demo: all meshes
@@ -167,3 +189,5 @@ clean:
 
 .SECONDARY:
 -include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)
+
+endif

@@ -20,8 +20,8 @@ typedef struct {
 // Opens a new file next to `path`. Refuses to replace anything but a regular file that may be written.
 bool file_write_begin(FileWriter *writer, const char *path, Error *error);
 
-// With `keep`: closes the file and renames it to the path. Otherwise, or when the disk took less than it was given, removes it and
-// leaves what stood at the path as it was. True when the file is in place.
+// With `keep`: closes the file and renames it to the path. Otherwise, or when the disk took less than it was given,
+// removes it and leaves what stood at the path as it was. True when the file is in place.
 bool file_write_end(FileWriter *writer, bool keep, Error *error);
 
 #endif

@@ -89,9 +89,9 @@ static void diamond_points(Mesh *mesh)
     double crown = tan(CROWN_ANGLE * PI / 180.0), pavilion = tan(PAVILION_ANGLE * PI / 180.0);
     double top = 0.5 * GIRDLE_THICKNESS, table_edge = 0.5 * TABLE * cos(PI / 8.0);
     double star = table_edge + STAR_LENGTH * (0.5 - table_edge);
-    diamond_corners(mesh, 0.5, 0.5, top, 0.0);            // 0…15 girdle
-    diamond_corners(mesh, 0.5, 0.5, -top, 0.0);           // 16…31 its lower edge
-    diamond_corners(mesh, 0.5 * TABLE, star, top, crown); // 32…47 table, star tips
+    diamond_corners(mesh, 0.5, 0.5, top, 0.0);                                      // 0…15 girdle
+    diamond_corners(mesh, 0.5, 0.5, -top, 0.0);                                     // 16…31 its lower edge
+    diamond_corners(mesh, 0.5 * TABLE, star, top, crown);                           // 32…47 table, star tips
     diamond_corners(mesh, 0.0, 0.5 * (1.0 - LOWER_GIRDLE_LENGTH), -top, -pavilion); // 48…55 pavilion tips
     mesh_point(mesh, 0.0, -top - 0.5 * pavilion, 0.0);                              // 56 culet
 }
@@ -291,7 +291,7 @@ int main(int argc, char **argv)
         perror(argv[2]);
         return 1;
     }
-    printf("%s: %d points, %d faces, %d triangles, %s, volume %.6f\n", argv[2], mesh.point_count,
-           mesh.face_count, triangles, mesh.closed ? "closed" : "open", volume);
+    printf("%s: %d points, %d faces, %d triangles, %s, volume %.6f\n", argv[2], mesh.point_count, mesh.face_count,
+           triangles, mesh.closed ? "closed" : "open", volume);
     return 0;
 }

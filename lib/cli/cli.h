@@ -1,5 +1,5 @@
-// The program's subcommands. Each takes its own arguments (arguments[0] is its name) and returns the exit code: 0 done, 1 input or
-// output error, 2 wrong usage.
+// The program's subcommands. Each takes its own arguments (arguments[0] is its name) and returns the exit code: 0
+// done, 1 input or output error, 2 wrong usage.
 #ifndef PHOTONLAB_CLI_CLI_H
 #define PHOTONLAB_CLI_CLI_H
 

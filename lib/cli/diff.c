@@ -6,7 +6,8 @@
 static const char help[] =
     "usage: photonlab diff IMAGE REFERENCE [-o DIFFERENCE.png] [flags]\n"
     "\n"
-    "Compares two pictures (.pfm or .png) of one size. Prints, per channel: RMSE; relMSE, the mean of (x−r)²/(r²+0.01); the\n"
+    "Compares two pictures (.pfm or .png) of one size. Prints, per channel: RMSE; relMSE, the mean of "
+    "(x−r)²/(r²+0.01); the\n"
     "ratio of the means. `trimmed` leaves out the worst 0.1 % of pixels.\n"
     "\n"
     "  -o FILE              also draw image − reference: red brighter, blue darker, white the same\n"
@@ -17,9 +18,9 @@ static const char help[] =
 enum { SCALE = 256, MASK };
 
 static const struct option flags[] = {
-    {"scale", required_argument, NULL, SCALE},  {"mask", required_argument, NULL, MASK},
-    {"json", no_argument, NULL, 'j'},           {"output", required_argument, NULL, 'o'},
-    {"help", no_argument, NULL, 'h'},           {NULL, 0, NULL, 0},
+    {"scale", required_argument, NULL, SCALE}, {"mask", required_argument, NULL, MASK},
+    {"json", no_argument, NULL, 'j'},          {"output", required_argument, NULL, 'o'},
+    {"help", no_argument, NULL, 'h'},          {NULL, 0, NULL, 0},
 };
 
 typedef struct {
@@ -80,7 +81,8 @@ static void print_json(const ImageDifference *d)
     printf("{\"rmse\":[%.9g,%.9g,%.9g],\"relmse\":[%.9g,%.9g,%.9g],\"mean_ratio\":[%.9g,%.9g,%.9g],"
            "\"relmse_all\":%.9g,\"relmse_trimmed\":%.9g,\"pixels\":%zu}\n",
            d->rmse[0], d->rmse[1], d->rmse[2], d->relative_mse[0], d->relative_mse[1], d->relative_mse[2],
-           d->mean_ratio[0], d->mean_ratio[1], d->mean_ratio[2], d->relative_mse_all, d->relative_mse_trimmed, d->pixels);
+           d->mean_ratio[0], d->mean_ratio[1], d->mean_ratio[2], d->relative_mse_all, d->relative_mse_trimmed,
+           d->pixels);
 }
 
 static void print_table(const ImageDifference *d)
@@ -98,8 +100,8 @@ static bool compare(const Arguments *a, Image *image, Image *reference, Image *p
     if (!image_read(image, a->image, error) || !image_read(reference, a->reference, error) ||
         !image_difference(image, reference, a->mask, &difference, error))
         return false;
-    if (a->out && (!image_difference_picture(image, reference, a->scale, picture, error) ||
-                   !image_write(picture, a->out, error)))
+    if (a->out &&
+        (!image_difference_picture(image, reference, a->scale, picture, error) || !image_write(picture, a->out, error)))
         return false;
     if (a->json)
         print_json(&difference);

@@ -4,30 +4,35 @@
 #include <getopt.h>
 #include <stdio.h>
 
-static const char help[] =
-    "usage: photonlab photons SCENE -o OUT.ply|OUT.csv [flags]\n"
-    "\n"
-    "Writes every stored photon: position, direction it came from, power, colour, bounce. MeshLab, Blender and CloudCompare\n"
-    "open the PLY; anything opens the CSV.\n"
-    "\n"
-    "  -o FILE        where to\n"
-    "  --photons N    photons to emit\n"
-    "  --seed S       another seed, another scatter\n"
-    "  --depth N      bounces after which a path is cut\n"
-    "  --threads T    0: all cores. The photons are the same whatever T\n"
-    "  --code DIR     play the steps built in DIR\n"
-    "  --steps LIST   2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life\n"
-    "  --quiet        no progress and no summary\n"
-    "  --json         one line of JSON on standard output\n";
+static const char help[] = "usage: photonlab photons SCENE -o OUT.ply|OUT.csv [flags]\n"
+                           "\n"
+                           "Writes every stored photon: position, direction it came from, power, colour, bounce. "
+                           "MeshLab, Blender and CloudCompare\n"
+                           "open the PLY; anything opens the CSV.\n"
+                           "\n"
+                           "  -o FILE        where to\n"
+                           "  --photons N    photons to emit\n"
+                           "  --seed S       another seed, another scatter\n"
+                           "  --depth N      bounces after which a path is cut\n"
+                           "  --threads T    0: all cores. The photons are the same whatever T\n"
+                           "  --code DIR     play the steps built in DIR\n"
+                           "  --steps LIST   2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life\n"
+                           "  --quiet        no progress and no summary\n"
+                           "  --json         one line of JSON on standard output\n";
 
 enum { PHOTONS = 256, SEED, DEPTH, THREADS, CODE, STEPS };
 
 static const struct option flags[] = {
-    {"photons", required_argument, NULL, PHOTONS}, {"seed", required_argument, NULL, SEED},
-    {"depth", required_argument, NULL, DEPTH},     {"threads", required_argument, NULL, THREADS},
-    {"code", required_argument, NULL, CODE},       {"steps", required_argument, NULL, STEPS},
-    {"quiet", no_argument, NULL, 'q'},             {"json", no_argument, NULL, 'j'},
-    {"output", required_argument, NULL, 'o'},      {"help", no_argument, NULL, 'h'},
+    {"photons", required_argument, NULL, PHOTONS},
+    {"seed", required_argument, NULL, SEED},
+    {"depth", required_argument, NULL, DEPTH},
+    {"threads", required_argument, NULL, THREADS},
+    {"code", required_argument, NULL, CODE},
+    {"steps", required_argument, NULL, STEPS},
+    {"quiet", no_argument, NULL, 'q'},
+    {"json", no_argument, NULL, 'j'},
+    {"output", required_argument, NULL, 'o'},
+    {"help", no_argument, NULL, 'h'},
     {NULL, 0, NULL, 0},
 };
 
@@ -127,7 +132,8 @@ int command_photons(int count, char **arguments)
         return report_error(&error);
     if (!a.quiet) {
         report_steps(a.code);
-        fprintf(stderr, "%s: %zu photons stored of %ld emitted; %.1f s\n", a.out, pass.stored, pass.emitted, pass.seconds);
+        fprintf(stderr, "%s: %zu photons stored of %ld emitted; %.1f s\n", a.out, pass.stored, pass.emitted,
+                pass.seconds);
     }
     if (a.json)
         print_json(&pass);

@@ -22,7 +22,8 @@ static const char help[] =
     "  --depth N            bounces after which a path is cut\n"
     "  --seed S             another seed, another noise\n"
     "  --threads T          0: all cores. The picture is the same whatever T\n"
-    "  --reuse F            share estimates of indirect light within F of their radius (0.35); 0: one for every eye ray\n"
+    "  --reuse F            share estimates of indirect light within F of their radius (0.35); 0: one for every eye "
+    "ray\n"
     "  --code DIR           play the steps built in DIR laid out like build/solutions\n"
     "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life; e.g. 2.3,1.5\n"
     "  --glass-sides 1|2    1: eye rays bend at the front of glass only, the looking glass of the source text\n"
@@ -41,15 +42,24 @@ typedef struct {
 enum { BITS = 256, INTEGRATOR, PHOTONS, K, RADIUS, SAMPLES, SIZE, DEPTH, SEED, THREADS, REUSE, CODE, STEPS, SIDES };
 
 static const struct option flags[] = {
-    {"bits", required_argument, NULL, BITS},       {"integrator", required_argument, NULL, INTEGRATOR},
-    {"photons", required_argument, NULL, PHOTONS}, {"k", required_argument, NULL, K},
-    {"radius", required_argument, NULL, RADIUS},   {"samples", required_argument, NULL, SAMPLES},
-    {"size", required_argument, NULL, SIZE},       {"depth", required_argument, NULL, DEPTH},
-    {"seed", required_argument, NULL, SEED},       {"threads", required_argument, NULL, THREADS},
-    {"reuse", required_argument, NULL, REUSE},     {"code", required_argument, NULL, CODE},
-    {"steps", required_argument, NULL, STEPS},     {"glass-sides", required_argument, NULL, SIDES},
-    {"quiet", no_argument, NULL, 'q'},             {"json", no_argument, NULL, 'j'},
-    {"output", required_argument, NULL, 'o'},      {"help", no_argument, NULL, 'h'},
+    {"bits", required_argument, NULL, BITS},
+    {"integrator", required_argument, NULL, INTEGRATOR},
+    {"photons", required_argument, NULL, PHOTONS},
+    {"k", required_argument, NULL, K},
+    {"radius", required_argument, NULL, RADIUS},
+    {"samples", required_argument, NULL, SAMPLES},
+    {"size", required_argument, NULL, SIZE},
+    {"depth", required_argument, NULL, DEPTH},
+    {"seed", required_argument, NULL, SEED},
+    {"threads", required_argument, NULL, THREADS},
+    {"reuse", required_argument, NULL, REUSE},
+    {"code", required_argument, NULL, CODE},
+    {"steps", required_argument, NULL, STEPS},
+    {"glass-sides", required_argument, NULL, SIDES},
+    {"quiet", no_argument, NULL, 'q'},
+    {"json", no_argument, NULL, 'j'},
+    {"output", required_argument, NULL, 'o'},
+    {"help", no_argument, NULL, 'h'},
     {NULL, 0, NULL, 0},
 };
 
@@ -74,7 +84,8 @@ static bool parse_flag(int flag, Arguments *a)
     switch (flag) {
     case BITS:
         return parse_int("render", "--bits", optarg, 8, 16, &a->bits) &&
-               (a->bits == 8 || a->bits == 16 || (report_usage("render", "--bits %s: expected 8 or 16", optarg), false));
+               (a->bits == 8 || a->bits == 16 ||
+                (report_usage("render", "--bits %s: expected 8 or 16", optarg), false));
     case SEED:
         return parse_seed("render", "--seed", optarg, &options->seed);
     case THREADS:
@@ -115,7 +126,8 @@ static bool parse_size(const char *text, int *width, int *height)
     return false;
 }
 
-// Checks the flags that replace the scene's settings, before the scene is loaded (settings: NULL) and puts them in after.
+// Checks the flags that replace the scene's settings, before the scene is loaded (settings: NULL) and puts them in
+// after.
 static bool apply_settings(const Arguments *a, RenderSettings *settings)
 {
     RenderSettings scratch;

@@ -9,8 +9,7 @@
 
 // Reads an image out of the bytes of a file; `name` stands in front of the error. On failure the image is
 // left empty.
-typedef bool ImageDecoder(Image *image, const unsigned char *bytes, size_t size, const char *name,
-                          Error *error);
+typedef bool ImageDecoder(Image *image, const unsigned char *bytes, size_t size, const char *name, Error *error);
 ImageDecoder image_read_png_memory;
 ImageDecoder image_read_pfm_memory;
 

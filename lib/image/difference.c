@@ -13,8 +13,8 @@ static int ascending(const void *a, const void *b)
 static bool check_pair(const Image *image, const Image *reference, Error *error)
 {
     if (image->width != reference->width || image->height != reference->height)
-        return error_set(error, "the image is %d×%d pixels, the reference %d×%d; expected the same size",
-                         image->width, image->height, reference->width, reference->height);
+        return error_set(error, "the image is %d×%d pixels, the reference %d×%d; expected the same size", image->width,
+                         image->height, reference->width, reference->height);
     return image_check_finite(image, "image", error) && image_check_finite(reference, "reference", error);
 }
 
@@ -74,8 +74,7 @@ static double trimmed_mean(double *errors, size_t pixels)
     return sum / (3.0 * (double)kept);
 }
 
-bool image_difference(const Image *image, const Image *reference, ImageMask mask, ImageDifference *result,
-                      Error *error)
+bool image_difference(const Image *image, const Image *reference, ImageMask mask, ImageDifference *result, Error *error)
 {
     *result = (ImageDifference){0};
     if (!check_pair(image, reference, error))
@@ -88,14 +87,12 @@ bool image_difference(const Image *image, const Image *reference, ImageMask mask
     for (int row = 0; row < image->height; row++)
         for (int column = 0; column < image->width; column++)
             if (!is_masked(mask, column, row))
-                errors[pixels++] =
-                    add_pixel(&sums, *image_at(image, column, row), *image_at(reference, column, row));
+                errors[pixels++] = add_pixel(&sums, *image_at(image, column, row), *image_at(reference, column, row));
     if (pixels) {
         divide(&sums, pixels, result);
         result->relative_mse_trimmed = trimmed_mean(errors, pixels);
     } else {
-        error_set(error,
-                  "nothing to compare: the mask (columns %d to %d, rows %d to %d) covers the image of %d×%d",
+        error_set(error, "nothing to compare: the mask (columns %d to %d, rows %d to %d) covers the image of %d×%d",
                   mask.x0, mask.x1, mask.y0, mask.y1, image->width, image->height);
     }
     free(errors);
@@ -126,15 +123,13 @@ static double choose_scale(const Image *image, const Image *reference)
     return scale;
 }
 
-bool image_difference_picture(const Image *image, const Image *reference, float scale, Image *picture,
-                              Error *error)
+bool image_difference_picture(const Image *image, const Image *reference, float scale, Image *picture, Error *error)
 {
     *picture = (Image){0};
     if (!check_pair(image, reference, error))
         return false;
     if (!(scale >= 0.0f))
-        return error_set(error, "the scale of the picture is %g; expected 0 (chosen for you) or more",
-                         (double)scale);
+        return error_set(error, "the scale of the picture is %g; expected 0 (chosen for you) or more", (double)scale);
     double full = scale > 0.0f ? (double)scale : choose_scale(image, reference);
     if (full < 0.0)
         return error_set(error, "no memory to compare %d×%d pixels", image->width, image->height);

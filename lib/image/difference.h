@@ -6,12 +6,13 @@
 
 // Per channel (0 red, 1 green, 2 blue). "image" is judged against "reference".
 typedef struct {
-    double rmse[3];         // root of the mean of (x−r)²
-    double relative_mse[3]; // mean of (x−r)²/(r²+0.01)
-    double mean_ratio[3];   // mean(image)/mean(reference); 1 when both are black, infinite when only the reference is
-    double relative_mse_all;     // over all pixels and channels
-    double relative_mse_trimmed; // the same without the worst 0.1 % of pixels, rounded down (a pixel's error: the sum over its channels)
-    size_t pixels;               // how many were compared
+    double rmse[3];          // root of the mean of (x−r)²
+    double relative_mse[3];  // mean of (x−r)²/(r²+0.01)
+    double mean_ratio[3];    // mean(image)/mean(reference); 1 when both are black, infinite when only the reference is
+    double relative_mse_all; // over all pixels and channels
+    double
+        relative_mse_trimmed; // the same without the worst 0.1 % of pixels, rounded down (a pixel's error: the sum over its channels)
+    size_t pixels; // how many were compared
 } ImageDifference;
 
 // Pixels in columns [x0, x1) and rows [y0, y1) are left out when comparing (a visible light and its edges). An empty
@@ -21,7 +22,8 @@ typedef struct {
 } ImageMask;
 
 // False when the sizes differ, either image holds NaN or infinity, or nothing is left to compare.
-bool image_difference(const Image *image, const Image *reference, ImageMask mask, ImageDifference *result, Error *error);
+bool image_difference(const Image *image, const Image *reference, ImageMask mask, ImageDifference *result,
+                      Error *error);
 
 // A picture of image − reference: red where the image is brighter, blue where it is darker, by the mean over channels;
 // white where they agree; full colour at ±scale (scale 0: chosen from the picture, its 99th percentile).

@@ -12,11 +12,11 @@
 bool image_check_size(unsigned long width, unsigned long height, const char *name, Error *error)
 {
     if (width < 1 || height < 1 || width > IMAGE_MAX_SIDE || height > IMAGE_MAX_SIDE)
-        return error_set(error, "%s: the size is %lu×%lu pixels; expected 1 to %d on each side", name, width,
-                         height, IMAGE_MAX_SIDE);
+        return error_set(error, "%s: the size is %lu×%lu pixels; expected 1 to %d on each side", name, width, height,
+                         IMAGE_MAX_SIDE);
     if ((unsigned long long)width * height > IMAGE_MAX_PIXELS)
-        return error_set(error, "%s: the size is %lu×%lu pixels; expected at most %ld in all", name, width,
-                         height, IMAGE_MAX_PIXELS);
+        return error_set(error, "%s: the size is %lu×%lu pixels; expected at most %ld in all", name, width, height,
+                         IMAGE_MAX_PIXELS);
     return true;
 }
 
@@ -24,8 +24,8 @@ bool image_create(Image *image, int width, int height, Error *error)
 {
     *image = (Image){0};
     if (width < 1 || height < 1)
-        return error_set(error, "image: the size is %d×%d pixels; expected 1 to %d on each side", width,
-                         height, IMAGE_MAX_SIDE);
+        return error_set(error, "image: the size is %d×%d pixels; expected 1 to %d on each side", width, height,
+                         IMAGE_MAX_SIDE);
     if (!image_check_size((unsigned long)width, (unsigned long)height, "image", error))
         return false;
     Colour *pixels = calloc((size_t)width * (size_t)height, sizeof *pixels);
@@ -49,11 +49,10 @@ bool image_check_finite(const Image *image, const char *name, Error *error)
         for (int column = 0; column < image->width; column++) {
             Colour c = *image_at(image, column, row);
             if (!isfinite(c.r) || !isfinite(c.g) || !isfinite(c.b))
-                return error_set(
-                    error,
-                    "%s: the pixel in column %d, row %d (counted from 0, top left) is (%g, %g, %g); "
-                    "expected finite numbers",
-                    name, column, row, (double)c.r, (double)c.g, (double)c.b);
+                return error_set(error,
+                                 "%s: the pixel in column %d, row %d (counted from 0, top left) is (%g, %g, %g); "
+                                 "expected finite numbers",
+                                 name, column, row, (double)c.r, (double)c.g, (double)c.b);
         }
     return true;
 }
@@ -111,8 +110,7 @@ bool image_write(const Image *image, const char *path, Error *error)
 {
     if (!image_path_is_known(path, error))
         return false;
-    return ends_in(path, ".png") ? image_write_png(image, path, 8, error)
-                                 : image_write_pfm(image, path, error);
+    return ends_in(path, ".png") ? image_write_png(image, path, 8, error) : image_write_pfm(image, path, error);
 }
 
 bool image_read_file(Image *image, const char *path, ImageDecoder *decode, Error *error)

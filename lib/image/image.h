@@ -1,5 +1,5 @@
-// Images: linear RGB floats (radiance, W/(m²·sr)), row 0 at the top. PNG is for looking (sRGB, clipped to 0…1), PFM for
-// measuring (linear floats, nothing lost).
+// Images: linear RGB floats (radiance, W/(m²·sr)), row 0 at the top. PNG is for looking (sRGB, clipped to 0…1), PFM
+// for measuring (linear floats, nothing lost).
 #ifndef PHOTONLAB_IMAGE_IMAGE_H
 #define PHOTONLAB_IMAGE_IMAGE_H
 
@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define IMAGE_MAX_SIDE 65536 // pixels; a larger width or height in a file is taken for damage
+#define IMAGE_MAX_SIDE   65536      // pixels; a larger width or height in a file is taken for damage
 #define IMAGE_MAX_PIXELS (1L << 28) // in all: 3 GiB of floats
 
 typedef struct {
@@ -17,7 +17,8 @@ typedef struct {
     Colour *pixels; // width·height, row by row from the top; owned by the image
 } Image;
 
-// A black image. False when a side is not in 1…IMAGE_MAX_SIDE, there are more than IMAGE_MAX_PIXELS, or memory is short.
+// A black image. False when a side is not in 1…IMAGE_MAX_SIDE, there are more than IMAGE_MAX_PIXELS, or memory is
+// short.
 bool image_create(Image *image, int width, int height, Error *error);
 
 // Frees the pixels; safe on an image that was zeroed or already freed.
@@ -28,15 +29,16 @@ static inline Colour *image_at(const Image *image, int column, int row)
     return &image->pixels[(size_t)row * (size_t)image->width + (size_t)column];
 }
 
-// sRGB transfer curve (IEC 61966-2-1) from linear 0…1 to encoded 0…1 and back; values outside are clipped, NaN gives 0.
+// sRGB transfer curve (IEC 61966-2-1) from linear 0…1 to encoded 0…1 and back; values outside are clipped, NaN gives
+// 0.
 float srgb_encode(float linear);
 float srgb_decode(float encoded);
 
 // Reads or writes by the file's ending: .png or .pfm (any case). Reading: PNG of 8 or 16 bits, grey or colour, alpha
-// dropped, its values taken for sRGB whatever colour space it names; PFM of one or three channels, either byte order, its
-// scale's magnitude ignored. A file that is truncated, too large or holds NaN or infinity is an error, and leaves the image
-// empty. Reading does not free what the image held before. Writing goes to a file beside, then renames it: a failed write
-// leaves the old file as it was. An image that holds NaN or infinity is not written.
+// dropped, its values taken for sRGB whatever colour space it names; PFM of one or three channels, either byte order,
+// its scale's magnitude ignored. A file that is truncated, too large or holds NaN or infinity is an error, and leaves
+// the image empty. Reading does not free what the image held before. Writing goes to a file beside, then renames it:
+// a failed write leaves the old file as it was. An image that holds NaN or infinity is not written.
 bool image_read(Image *image, const char *path, Error *error);
 bool image_write(const Image *image, const char *path, Error *error);
 

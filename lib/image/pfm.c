@@ -43,10 +43,8 @@ static Word next_word(Header *header)
 static bool unexpected(const Header *header, const Word *word, const char *expected)
 {
     if (!word->text[0])
-        return error_set(header->error, "%s:%d: the file ends; expected %s", header->name, word->line,
-                         expected);
-    return error_set(header->error, "%s:%d: found \"%s\"; expected %s", header->name, word->line, word->text,
-                     expected);
+        return error_set(header->error, "%s:%d: the file ends; expected %s", header->name, word->line, expected);
+    return error_set(header->error, "%s:%d: found \"%s\"; expected %s", header->name, word->line, word->text, expected);
 }
 
 static bool read_side(Header *header, unsigned long *side, const char *expected)
@@ -110,16 +108,15 @@ static bool check_length(const Header *header, unsigned long long needed)
 {
     unsigned long long found = header->size - header->at;
     if (found < needed)
-        return error_set(header->error, "%s: truncated: %llu bytes of pixels; expected %llu", header->name,
-                         found, needed);
+        return error_set(header->error, "%s: truncated: %llu bytes of pixels; expected %llu", header->name, found,
+                         needed);
     if (found > needed)
-        return error_set(header->error, "%s: %llu bytes too many: %llu bytes of pixels; expected %llu",
-                         header->name, found - needed, found, needed);
+        return error_set(header->error, "%s: %llu bytes too many: %llu bytes of pixels; expected %llu", header->name,
+                         found - needed, found, needed);
     return true;
 }
 
-bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size, const char *name,
-                           Error *error)
+bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size, const char *name, Error *error)
 {
     *image = (Image){0};
     Header header = {.bytes = bytes, .size = size, .line = 1, .name = name, .error = error};
@@ -134,8 +131,7 @@ bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size
         return false;
     Word scale = next_word(&header);
     if (!is_scale(scale.text))
-        return unexpected(&header, &scale,
-                          "the scale, a number other than 0 (-1: little-endian, 1: big-endian)");
+        return unexpected(&header, &scale, "the scale, a number other than 0 (-1: little-endian, 1: big-endian)");
     if (header.at < size)
         header.at++; // the one space that ends the header
     size_t channels = colour ? 3 : 1;

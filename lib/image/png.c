@@ -84,9 +84,8 @@ static void decode_row(Colour *pixels, int width, int bits)
         float linear[3];
         for (int channel = 0; channel < 3; channel++) {
             size_t i = 3 * (size_t)column + (size_t)channel;
-            linear[channel] = bits == 8
-                                  ? srgb_decode((float)bytes[i] / 255.0f)
-                                  : srgb_decode((float)(bytes[2 * i] << 8 | bytes[2 * i + 1]) / 65535.0f);
+            linear[channel] = bits == 8 ? srgb_decode((float)bytes[i] / 255.0f)
+                                        : srgb_decode((float)(bytes[2 * i] << 8 | bytes[2 * i + 1]) / 65535.0f);
         }
         pixels[column] = colour(linear[0], linear[1], linear[2]);
     }
@@ -127,8 +126,7 @@ static bool read_all(Codec *codec)
     return true;
 }
 
-bool image_read_png_memory(Image *image, const unsigned char *bytes, size_t size, const char *name,
-                           Error *error)
+bool image_read_png_memory(Image *image, const unsigned char *bytes, size_t size, const char *name, Error *error)
 {
     *image = (Image){0};
     if (size < SIGNATURE_BYTES || png_sig_cmp((png_bytep)bytes, 0, SIGNATURE_BYTES) != 0)
@@ -173,8 +171,7 @@ static bool write_all(Codec *codec, int bits)
         return false;
     const Image *source = codec->source;
     png_set_IHDR(codec->png, codec->info, (png_uint_32)source->width, (png_uint_32)source->height, bits,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(codec->png, codec->info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(codec->png, codec->info);
     for (int row = 0; row < source->height; row++) {

@@ -21,13 +21,13 @@ typedef enum {
 
 // A photon in flight: a packet of flux, not a quantum.
 typedef struct {
-    Vec3 position;       // m
-    Vec3 direction;      // unit, the way it flies
-    Colour power;        // flux it carries, W; already divided by the number of photons emitted
+    Vec3 position;  // m
+    Vec3 direction; // unit, the way it flies
+    Colour power;   // flux it carries, W; already divided by the number of photons emitted
     PhotonColour colour;
     PhotonPath path;
-    int bounce;    // surfaces met so far
-    uint32_t from; // kept by photon_fly: the surface it left …
+    int bounce;                // surfaces met so far
+    uint32_t from;             // kept by photon_fly: the surface it left …
     const void *left_material; // … and what that is made of (NULL: fresh from the light)
 } Photon;
 

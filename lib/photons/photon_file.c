@@ -42,7 +42,8 @@ static void put_vec3(unsigned char **at, float x, float y, float z)
 
 static void write_ply(const StoredPhoton *photons, size_t count, FILE *stream)
 {
-    fprintf(stream, "ply\nformat binary_little_endian 1.0\ncomment photonlab stored photons\nelement vertex %zu\n", count);
+    fprintf(stream, "ply\nformat binary_little_endian 1.0\ncomment photonlab stored photons\nelement vertex %zu\n",
+            count);
     static const char *const floats[] = {"x", "y", "z", "nx", "ny", "nz"};
     static const char *const powers[] = {"power_red", "power_green", "power_blue"};
     static const char *const bytes[] = {"colour", "path", "bounce", "material"};

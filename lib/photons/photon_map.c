@@ -42,8 +42,7 @@ void photon_map_visit(const PhotonMap *map, Vec3 point, float radius, PhotonVisi
         }
         float distance2[4];
         node_distances(&map->nodes[number], point, distance2);
-        for (size_t c = 4;
-             c-- > 0;) { // backwards, so that leaves come off the stack in order and make long runs
+        for (size_t c = 4; c-- > 0;) { // backwards, so that leaves come off the stack in order and make long runs
             stack[waiting] = child_number(map, number, c);
             waiting += distance2[c] < radius * radius;
         }

@@ -22,29 +22,30 @@ typedef struct {
     float distance2;            // squared distance to the query point, m²
 } NearPhoton;
 
-// Takes ownership of `photons` (from malloc; freed by photon_map_free, and also when building fails) and sorts it in place
-// into the tree's order. The same order whatever the number of threads. count may be 0. At most 40 bytes a photon in all.
-// While it builds, 4 bytes a photon more. NULL when memory is short or a coordinate is not finite or beyond 1e18 m.
+// Takes ownership of `photons` (from malloc; freed by photon_map_free, and also when building fails) and sorts it in
+// place into the tree's order. The same order whatever the number of threads. count may be 0. At most 40 bytes a
+// photon in all. While it builds, 4 bytes a photon more. NULL when memory is short or a coordinate is not finite or
+// beyond 1e18 m.
 PhotonMap *photon_map_build(StoredPhoton *photons, size_t count, Error *error);
 void photon_map_free(PhotonMap *map);
 
-// The up to k photons nearest to `point` among those with distance² < *radius2 (INFINITY: no limit), in no particular order.
-// Returns how many. If k were found, *radius2 becomes the squared distance of the farthest of them (the k-th); otherwise
-// *radius2 stays. `near` must hold PHOTON_MAP_NEAREST_ROOM(k) entries: the search uses the rest as scratch.
+// The up to k photons nearest to `point` among those with distance² < *radius2 (INFINITY: no limit), in no particular
+// order. Returns how many. If k were found, *radius2 becomes the squared distance of the farthest of them (the k-th);
+// otherwise *radius2 stays. `near` must hold PHOTON_MAP_NEAREST_ROOM(k) entries: the search uses the rest as scratch.
 size_t photon_map_nearest(const PhotonMap *map, Vec3 point, size_t k, float *radius2, NearPhoton *near);
 #define PHOTON_MAP_NEAREST_ROOM(k) (2 * (k) + 64)
 
-// Calls visit for runs of photons such that every photon with distance² < radius² is in exactly one run; a run may hold
-// others, too. The visitor tests the distance itself. Cheap: nothing is collected.
+// Calls visit for runs of photons such that every photon with distance² < radius² is in exactly one run; a run may
+// hold others, too. The visitor tests the distance itself. Cheap: nothing is collected.
 typedef void (*PhotonVisitor)(const StoredPhoton *run, size_t count, void *user);
 void photon_map_visit(const PhotonMap *map, Vec3 point, float radius, PhotonVisitor visit, void *user);
 
-// All photons with distance² < radius², appended to `near` (at most `room`). Returns how many there are, which may be more
-// than room.
+// All photons with distance² < radius², appended to `near` (at most `room`). Returns how many there are, which may be
+// more than room.
 size_t photon_map_within(const PhotonMap *map, Vec3 point, float radius, NearPhoton *near, size_t room);
 
 size_t photon_map_count(const PhotonMap *map);
 const StoredPhoton *photon_map_photons(const PhotonMap *map); // all of them, in the tree's order
-size_t photon_map_bytes(const PhotonMap *map);                 // photons and index together
+size_t photon_map_bytes(const PhotonMap *map);                // photons and index together
 
 #endif

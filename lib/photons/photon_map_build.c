@@ -75,9 +75,8 @@ static bool check_positions(const StoredPhoton *photons, size_t count, Error *er
     for (size_t i = 0; i < count; i++) {
         Vec3 p = photons[i].position;
         if (!(fabsf(p.x) <= FARTHEST && fabsf(p.y) <= FARTHEST && fabsf(p.z) <= FARTHEST))
-            return error_set(error,
-                             "photon %zu lies at (%g, %g, %g); coordinates must be finite and at most %g m",
-                             i, (double)p.x, (double)p.y, (double)p.z, (double)FARTHEST);
+            return error_set(error, "photon %zu lies at (%g, %g, %g); coordinates must be finite and at most %g m", i,
+                             (double)p.x, (double)p.y, (double)p.z, (double)FARTHEST);
     }
     return true;
 }

@@ -88,8 +88,7 @@ void photon_map_halve(StoredPhoton *photons, size_t count, Box box, size_t rank,
 
 // Appends the photons nearer than the limit; `near` needs room for all `count`. Each is written, and stays if
 // it was near enough: a branch would be mispredicted every few photons.
-static inline size_t collect(const StoredPhoton *photons, size_t count, Vec3 point, float limit,
-                             NearPhoton *near)
+static inline size_t collect(const StoredPhoton *photons, size_t count, Vec3 point, float limit, NearPhoton *near)
 {
     size_t found = 0;
     for (size_t i = 0; i < count; i++) {

@@ -47,8 +47,7 @@ static float keep_nearest(NearPhoton *near, size_t count, size_t k)
     float limit = farthest(near, count);
     for (int round = 0; count > k && low < k; round++) {
         float share = ((float)(k - low) + 0.5f) / (float)(count - low);
-        float pivot =
-            round < GUESSES ? nearest + (limit - nearest) * share : near[(low + count) / 2].distance2;
+        float pivot = round < GUESSES ? nearest + (limit - nearest) * share : near[(low + count) / 2].distance2;
         size_t below = low + split_near(near + low, count - low, pivot);
         if (below == low || below == count) { // no progress: split by an entry, and put its equals aside, too
             pivot = near[(low + count) / 2].distance2;
@@ -117,8 +116,7 @@ static inline void search_leaf(Search *search, size_t leaf)
     const PhotonMap *map = search->map;
     size_t begin = leaf_begin(map, leaf);
     size_t count = leaf_begin(map, leaf + 1) - begin;
-    search->found +=
-        collect(map->photons + begin, count, search->point, search->limit, search->near + search->found);
+    search->found += collect(map->photons + begin, count, search->point, search->limit, search->near + search->found);
     if (search->found + LEAF_PHOTONS > PHOTON_MAP_NEAREST_ROOM(search->k)) {
         search->limit = keep_nearest(search->near, search->found, search->k);
         search->found = search->k;

@@ -125,7 +125,8 @@ static void close_books(PhotonPass *pass, const PhotonTrace *chunks, long chunk_
     }
 }
 
-// Joins what the chunks stored, in their order, freeing each as it is done: photons are held twice only chunk by chunk.
+// Joins what the chunks stored, in their order, freeing each as it is done: photons are held twice only chunk by
+// chunk.
 static bool merge(PhotonPass *pass, PhotonTrace *chunks, long chunk_count, const PhotonPassOptions *options)
 {
     bool part_caustics = (options->keep & KEEP_CAUSTIC) && !(options->keep & KEEP_DIRECT);
@@ -162,8 +163,7 @@ static void trace_all(const Scene *scene, const PhotonPassOptions *options, cons
     long done = 0;
 #pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
     for (long i = 0; i < chunk_count; i++) {
-        PhotonTrace trace = {
-            .scene = scene, .depth = options->depth, .keep = options->keep, .glossy = options->glossy};
+        PhotonTrace trace = {.scene = scene, .depth = options->depth, .keep = options->keep, .glossy = options->glossy};
         long first = i * CHUNK;
         long last = first + CHUNK < options->photons ? first + CHUNK : options->photons;
         trace_chunk(&trace, options, chances, first, last);

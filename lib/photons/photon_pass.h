@@ -11,13 +11,13 @@
 #define KEEP_ALL      (KEEP_DIRECT | KEEP_CAUSTIC | KEEP_INDIRECT)
 
 typedef struct {
-    long photons;      // to emit
-    int depth;         // surfaces a path may meet
+    long photons; // to emit
+    int depth;    // surfaces a path may meet
     uint64_t seed;
-    int threads;       // 0: all cores
-    unsigned keep;     // KEEP_…: which photons to store
+    int threads;        // 0: all cores
+    unsigned keep;      // KEEP_…: which photons to store
     GlossyModel glossy; // which BRDF the ledger expects at glossy surfaces
-    bool loop;         // play the loop of step 1.5 in place of the recursion of 3.4
+    bool loop;          // play the loop of step 1.5 in place of the recursion of 3.4
     Progress progress;
 } PhotonPassOptions;
 
@@ -50,8 +50,8 @@ typedef struct {
     double seconds;
 } PhotonPass;
 
-// The same bytes whatever the number of threads: a random stream per photon, and chunks merged in their order. False on
-// lack of memory. Free with photon_pass_free; arrays taken over by a map must be zeroed first.
+// The same bytes whatever the number of threads: a random stream per photon, and chunks merged in their order. False
+// on lack of memory. Free with photon_pass_free; arrays taken over by a map must be zeroed first.
 bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, PhotonPass *pass, Error *error);
 void photon_pass_free(PhotonPass *pass);
 

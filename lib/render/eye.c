@@ -1,12 +1,12 @@
 #include "render/eye.h"
 
-#define SPLIT_WEIGHT 0.25f // glass: both ways are followed while the ray still carries this much …
-#define ALIVE_WEIGHT 0.05f // … and below this a ray survives by roulette
-#define CAUSTIC_SHARE 4    // caustics are estimated from k/4 photons …
-#define CAUSTIC_LEAST 20   // … but not from fewer than these, if k is larger
+#define SPLIT_WEIGHT  0.25f // glass: both ways are followed while the ray still carries this much …
+#define ALIVE_WEIGHT  0.05f // … and below this a ray survives by roulette
+#define CAUSTIC_SHARE 4     // caustics are estimated from k/4 photons …
+#define CAUSTIC_LEAST 20    // … but not from fewer than these, if k is larger
 
-// What a ray carries: how much of what it brings back will reach the camera (to tell bright rays from faint ones), the one
-// colour it is left with after dispersing glass, its surfaces so far, and whether lights shall be seen.
+// What a ray carries: how much of what it brings back will reach the camera (to tell bright rays from faint ones),
+// the one colour it is left with after dispersing glass, its surfaces so far, and whether lights shall be seen.
 typedef struct {
     Colour weight;
     PhotonColour colour;
@@ -68,8 +68,8 @@ static Colour follow(Eye *eye, const Hit *hit, Vec3 direction, Colour share, Eye
     return colour_scale(colour_mul(share, trace(eye, &ray, carried)), 1.0f / survival);
 }
 
-// Indirect light in a glossy lobe. Few of the photons found lie in a narrow lobe, so the map is looked up where a ray drawn from
-// the lobe ends. Lights are not seen there: shadow rays and the caustic map have counted them.
+// Indirect light in a glossy lobe. Few of the photons found lie in a narrow lobe, so the map is looked up where a ray
+// drawn from the lobe ends. Lights are not seen there: shadow rays and the caustic map have counted them.
 static Colour indirect_lobe(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
 {
     // The source text's scheme leaks past the lobe as well, by a share that grows with the angle.
@@ -129,8 +129,8 @@ static void glass_way(const Eye *eye, const Hit *hit, Vec3 direction, float inde
     *through = (1.0f - *reflected) * (looking_glass ? 1.0f : eta * eta);
 }
 
-// Light through glass: each way is followed or, while the ray is faint, one of both. In dispersing glass a white ray refracts
-// three ways, one for each channel, and each goes on in its own colour.
+// Light through glass: each way is followed or, while the ray is faint, one of both. In dispersing glass a white ray
+// refracts three ways, one for each channel, and each goes on in its own colour.
 static Colour glass_surface(Eye *eye, const Hit *hit, Vec3 direction, EyeRay carried)
 {
     bool splits = hit->material->disperses && carried.colour == WHITE;

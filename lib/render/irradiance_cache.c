@@ -1,7 +1,7 @@
 #include "render/irradiance_cache.h"
 
-#define SAME_WAY 0.98f // cosine between normals that still count as one surface
-#define OFF_PLANE 0.1f // part of the reach by which a point may lie above or below
+#define SAME_WAY  0.98f // cosine between normals that still count as one surface
+#define OFF_PLANE 0.1f  // part of the reach by which a point may lie above or below
 
 bool irradiance_cache_find(const IrradianceCache *cache, Vec3 position, Vec3 normal, Colour *irradiance)
 {

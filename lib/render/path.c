@@ -3,8 +3,8 @@
 
 #define ROULETTE_FROM 8 // bounces that are followed without roulette
 
-// Reflects or refracts at random. The first time white light meets dispersing glass one channel is chosen and the others
-// are dropped; it then counts three times.
+// Reflects or refracts at random. The first time white light meets dispersing glass one channel is chosen and the
+// others are dropped; it then counts three times.
 static Colour sample_glass(Eye *eye, const Hit *hit, Vec3 *direction, int *channel)
 {
     const Material *glass = hit->material;

@@ -70,7 +70,8 @@ static void eye_free(Eye *eye)
     free(eye);
 }
 
-static bool eye_pass(const Scene *scene, const RenderOptions *options, const Maps *maps, Image *image, RenderStats *stats)
+static bool eye_pass(const Scene *scene, const RenderOptions *options, const Maps *maps, Image *image,
+                     RenderStats *stats)
 {
     int tiles = ((image->width + TILE - 1) / TILE) * ((image->height + TILE - 1) / TILE);
     int done = 0;

@@ -7,7 +7,7 @@
 #include "steps/steps.h"
 
 typedef enum {
-    INTEGRATOR_PHOTONS,      // direct light by shadow rays; caustics (from k/4 photons) and indirect light from two maps
+    INTEGRATOR_PHOTONS, // direct light by shadow rays; caustics (from k/4 photons) and indirect light from two maps
     INTEGRATOR_PHOTONS_ONLY, // everything from one map, looked up at the first rough surface, as the source text does
     INTEGRATOR_PATH          // no photons: a plain path tracer, to check against
 } Integrator;
@@ -19,7 +19,7 @@ typedef struct {
     int threads;     // 0: all cores
     StepChoice play; // 2.3 or 2.4, 1.5 or 3.4
     int glass_sides; // 2; 1: eye rays bend on the way into glass only, the source text's looking glass
-    float reuse;     // estimates of indirect light are shared within this part of their radius; 0: one for every eye ray
+    float reuse; // estimates of indirect light are shared within this part of their radius; 0: one for every eye ray
     Progress progress;
 } RenderOptions;
 
@@ -35,8 +35,8 @@ typedef struct {
     Ledger ledger;
 } RenderStats;
 
-// Renders options->settings.width × height pixels into a fresh image. The same bytes whatever the number of threads. Steps
-// must have been loaded (path alone needs none). False when memory is short.
+// Renders options->settings.width × height pixels into a fresh image. The same bytes whatever the number of threads.
+// Steps must have been loaded (path alone needs none). False when memory is short.
 bool render_image(const Scene *scene, const RenderOptions *options, Image *image, RenderStats *stats, Error *error);
 
 #endif

@@ -73,11 +73,9 @@ static FlatPacket flat_packet(const Flat *flats, const Reference *references, Ru
 }
 
 // The spheres' numbers begin at first_id.
-static SpherePacket sphere_packet(const Sphere *spheres, size_t first_id, const Reference *references,
-                                  Run run)
+static SpherePacket sphere_packet(const Sphere *spheres, size_t first_id, const Reference *references, Run run)
 {
-    SpherePacket packet = {.radius2 = {-1.0f, -1.0f, -1.0f, -1.0f},
-                           .id = {TRIANGLE, TRIANGLE, TRIANGLE, TRIANGLE}};
+    SpherePacket packet = {.radius2 = {-1.0f, -1.0f, -1.0f, -1.0f}, .id = {TRIANGLE, TRIANGLE, TRIANGLE, TRIANGLE}};
     for (uint32_t lane = 0; lane < run.count; lane++) {
         uint32_t index = reference_id(&references[run.first + lane]);
         for (int axis = 0; axis < 3; axis++)

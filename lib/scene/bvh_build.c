@@ -180,8 +180,7 @@ static void build_range(const Builder *builder, Range range, uint32_t node)
     Cut cut = cut_find(builder->references, &range);
     if (range_is_leaf(&range, &cut))
         return;
-    Range left = {
-        .first = range.first, .box = box4_empty(), .centroids = box4_empty(), .depth = range.depth + 1};
+    Range left = {.first = range.first, .box = box4_empty(), .centroids = box4_empty(), .depth = range.depth + 1};
     Range right = left;
     if (range.depth < DEPTH_LIMIT && cut.cost < INFINITY)
         partition(builder->references, &range, &cut, &left, &right);

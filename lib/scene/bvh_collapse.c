@@ -35,8 +35,7 @@ static uint32_t emit_leaf(Collapse *collapse, const Split *split)
 
 static float split_half_area(const Split *split)
 {
-    float d[3] = {split->high[0] - split->low[0], split->high[1] - split->low[1],
-                  split->high[2] - split->low[2]};
+    float d[3] = {split->high[0] - split->low[0], split->high[1] - split->low[1], split->high[2] - split->low[2]};
     return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
 }
 

@@ -17,8 +17,7 @@ static inline PacketRay packet_ray(const Ray *ray, float t_min, uint32_t except)
 {
     return (PacketRay){
         .origin = {float4_all(ray->origin.x), float4_all(ray->origin.y), float4_all(ray->origin.z)},
-        .direction = {float4_all(ray->direction.x), float4_all(ray->direction.y),
-                      float4_all(ray->direction.z)},
+        .direction = {float4_all(ray->direction.x), float4_all(ray->direction.y), float4_all(ray->direction.z)},
         .from = int4_all(ray->from),
         .except = int4_all(except),
         .t_min = float4_all(t_min),

@@ -56,10 +56,8 @@ static inline unsigned node_hits(const Node *node, const BoxRay *ray, float t_ma
         Lanes near = ray->t_min;
         Lanes far = lanes_all(t_max);
         for (int axis = 0; axis < 3; axis++) {
-            Lanes in =
-                (lanes_load(&node->bounds[ray->near[axis]][lane]) - ray->origin[axis]) * ray->inverse[axis];
-            Lanes out =
-                (lanes_load(&node->bounds[ray->far[axis]][lane]) - ray->origin[axis]) * ray->inverse[axis];
+            Lanes in = (lanes_load(&node->bounds[ray->near[axis]][lane]) - ray->origin[axis]) * ray->inverse[axis];
+            Lanes out = (lanes_load(&node->bounds[ray->far[axis]][lane]) - ray->origin[axis]) * ray->inverse[axis];
             near = lanes_max(in, near);
             far = lanes_min(out, far);
         }
@@ -75,8 +73,8 @@ static inline uint32_t leaf_end(uint32_t leaf)
     return (leaf & FIRST_PACKET) + (leaf >> 28 & 7u) + 1;
 }
 
-static INLINE void leaf_closest(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray,
-                                bool rarely, LaneHits *best)
+static INLINE void leaf_closest(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray, bool rarely,
+                                LaneHits *best)
 {
     uint32_t end = leaf_end(leaf);
     for (uint32_t packet = leaf & FIRST_PACKET; packet < end; packet++)
@@ -87,8 +85,7 @@ static INLINE void leaf_closest(const Bvh *bvh, const Tree *tree, uint32_t leaf,
 }
 
 // Not inlined: within the loop of the traversal, too few registers are left for it.
-static NOINLINE void leaf_of_many(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray,
-                                  LaneHits *best)
+static NOINLINE void leaf_of_many(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray, LaneHits *best)
 {
     leaf_closest(bvh, tree, leaf, ray, true, best);
 }
@@ -108,8 +105,7 @@ static inline void prefetch(const Tree *tree, uint32_t child)
 
 // Keeps the nearest of the children that were hit in hand and puts the others on the stack, nearer ones
 // above.
-static inline uint32_t descend(const Tree *tree, const Node *node, unsigned hits, const float enter[WIDTH],
-                               Entry **top)
+static inline uint32_t descend(const Tree *tree, const Node *node, unsigned hits, const float enter[WIDTH], Entry **top)
 {
     int lane = __builtin_ctz(hits);
     Entry nearest = {enter[lane], node->child[lane]};
@@ -187,8 +183,8 @@ static NOINLINE bool large_closest(const Bvh *bvh, const Ray *ray, float t_min, 
     return found;
 }
 
-// Minimum and maximum of NaN are whatever comes second, so a NaN would seem to hit every box, even those that are not there. A
-// student's step may well send one.
+// Minimum and maximum of NaN are whatever comes second, so a NaN would seem to hit every box, even those that are not
+// there. A student's step may well send one.
 static inline bool ray_is_sound(const Ray *ray)
 {
     float length2 = vec3_dot(ray->direction, ray->direction);
@@ -204,8 +200,7 @@ bool bvh_closest(const Bvh *bvh, const Ray *ray, float t_min, float t_max, BvhHi
     return (small ? small_closest : large_closest)(bvh, ray, t_min, t_max, hit);
 }
 
-static inline bool leaf_occluded(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray,
-                                 float t_max)
+static inline bool leaf_occluded(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray, float t_max)
 {
     uint32_t end = leaf_end(leaf);
     Int4 found = int4_all(0);
@@ -215,8 +210,8 @@ static inline bool leaf_occluded(const Bvh *bvh, const Tree *tree, uint32_t leaf
     return int4_bits(found) != 0;
 }
 
-static inline bool tree_occluded(const Bvh *bvh, const Tree *tree, const Ray *ray,
-                                 const PacketRay *packet_ray, float t_max)
+static inline bool tree_occluded(const Bvh *bvh, const Tree *tree, const Ray *ray, const PacketRay *packet_ray,
+                                 float t_max)
 {
     if (tree->root & LEAF)
         return tree->root != NO_CHILD && leaf_occluded(bvh, tree, tree->root, packet_ray, t_max);

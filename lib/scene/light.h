@@ -27,8 +27,8 @@ typedef struct {
 
 // The light that reaches a point from one sampled spot of a source, were nothing in the way.
 typedef struct {
-    Vec3 wi;        // unit, from the point to the source
-    float distance; // to it, m (beam: to its disk)
+    Vec3 wi;         // unit, from the point to the source
+    float distance;  // to it, m (beam: to its disk)
     Colour arriving; // L·cosθ_light/(d²·pdf): the estimate of L_o is f_r·cosθ·arriving, the mean over samples
 } LightSample;
 

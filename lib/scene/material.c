@@ -22,9 +22,9 @@ float lobe_weighted_above_surface(const LobeTable *table, float cos_theta)
     return lookup(table->weighted, cos_theta);
 }
 
-// A ring of directions at angle alpha from the mirror direction, which is theta from the normal: its height above the surface
-// at azimuth phi is a + b·cosφ with a = cosα cosθ and b = sinα sinθ. Gives the azimuth's length with positive height, and
-// the integral of the height over it.
+// A ring of directions at angle alpha from the mirror direction, which is theta from the normal: its height above the
+// surface at azimuth phi is a + b·cosφ with a = cosα cosθ and b = sinα sinθ. Gives the azimuth's length with positive
+// height, and the integral of the height over it.
 static void ring_above(double cos_alpha, double cos_theta, double *length, double *height)
 {
     double a = cos_alpha * cos_theta;
@@ -34,8 +34,9 @@ static void ring_above(double cos_alpha, double cos_theta, double *length, doubl
     *height = 2.0 * (half * a + sin(half) * b);
 }
 
-// ∫cosⁿα … dω with the ring's solid angle sinα dα dφ. The substitution cosα = x^(1/(n+1)) takes the lobe into the measure:
-// ∫cosⁿα g sinα dα = ∫₀¹ g dx/(n+1), smooth for any exponent. Midpoint rule, in y with x = 1−y² to tame the root at α = 0.
+// ∫cosⁿα … dω with the ring's solid angle sinα dα dφ. The substitution cosα = x^(1/(n+1)) takes the lobe into the
+// measure: ∫cosⁿα g sinα dα = ∫₀¹ g dx/(n+1), smooth for any exponent. Midpoint rule, in y with x = 1−y² to tame the
+// root at α = 0.
 void lobe_table_fill(LobeTable *table, float exponent)
 {
     const int steps = 512;

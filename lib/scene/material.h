@@ -18,8 +18,8 @@ typedef enum {
 
 #define LOBE_TABLE_SIZE 513
 
-// Integrals of the lobe cosⁿα over the upper hemisphere by the mirror direction's angle θ to the normal, tabulated evenly
-// in cosθ from 0 to 1 (Arvo 1995; Mallett & Yuksel 2020):
+// Integrals of the lobe cosⁿα over the upper hemisphere by the mirror direction's angle θ to the normal, tabulated
+// evenly in cosθ from 0 to 1 (Arvo 1995; Mallett & Yuksel 2020):
 //   above = I_P = ∫cosⁿα dω,   weighted = I_M = ∫cosⁿα cosθ_o dω.
 typedef struct {
     float above[LOBE_TABLE_SIZE], weighted[LOBE_TABLE_SIZE];
@@ -49,7 +49,8 @@ static inline bool material_is_rough(const Material *material)
     return material->type == MATERIAL_DIFFUSE || material->type == MATERIAL_GLOSSY;
 }
 
-// BRDF f_r(wi, wo) in 1/sr of a rough material; wi towards the light, wo towards the eye, n the unit normal on their side.
+// BRDF f_r(wi, wo) in 1/sr of a rough material; wi towards the light, wo towards the eye, n the unit normal on their
+// side.
 //   diffuse: ρ_d/π.
 //   glossy, GLOSSY_PHONG: ρ_d/π + ρ_s·(n+2)/(2π)·cosⁿα, α between wo and the mirror direction of wi
 //     (Lafortune & Willems 1994). Reciprocal.
@@ -59,12 +60,12 @@ static inline bool material_is_rough(const Material *material)
 Colour material_lobe(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);
 Colour material_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);
 
-// Share of light from wi that the material sends back, per channel (the albedo a(wi), 0…1): for glossy it includes what
-// the lobe loses below the surface. Mirrors: ρ_s. Glass: 1. Lights: 0.
+// Share of light from wi that the material sends back, per channel (the albedo a(wi), 0…1): for glossy it includes
+// what the lobe loses below the surface. Mirrors: ρ_s. Glass: 1. Lights: 0.
 Colour material_albedo(const Material *material, GlossyModel model, float cos_wi);
 
-// Fills the table for exponent n ≥ 0 by quadrature. Between its entries the functions below interpolate; relative error
-// below 1e-3 for n ≤ 1000 and θ ≤ 85°.
+// Fills the table for exponent n ≥ 0 by quadrature. Between its entries the functions below interpolate; relative
+// error below 1e-3 for n ≤ 1000 and θ ≤ 85°.
 void lobe_table_fill(LobeTable *table, float exponent);
 float lobe_above_surface(const LobeTable *table, float cos_theta);          // I_P
 float lobe_weighted_above_surface(const LobeTable *table, float cos_theta); // I_M

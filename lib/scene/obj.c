@@ -56,8 +56,8 @@ static bool read_vector(Reader *reader, const char *what, Vec3 *vector)
     for (; !obj_at_line_end(&reader->cursor) && count < 7; count++) {
         double value;
         const char *start = reader->cursor.at;
-        bool fine = text_number(&reader->cursor.at, reader->cursor.end, &value) &&
-                    obj_at_word_end(&reader->cursor) && fabs(value) <= SCENE_LARGEST_NUMBER;
+        bool fine = text_number(&reader->cursor.at, reader->cursor.end, &value) && obj_at_word_end(&reader->cursor) &&
+                    fabs(value) <= SCENE_LARGEST_NUMBER;
         reader->cursor.at = fine ? reader->cursor.at : start;
         if (!fine)
             return word_fault(reader, "a number between -1e9 and 1e9");
@@ -94,8 +94,7 @@ static bool read_point(Reader *reader)
 static bool read_normal(Reader *reader)
 {
     ObjMesh *mesh = reader->mesh;
-    Vec3 *normal =
-        add_vector(reader, "normal (vn)", &mesh->normals, &mesh->normal_count, &mesh->normal_capacity);
+    Vec3 *normal = add_vector(reader, "normal (vn)", &mesh->normals, &mesh->normal_count, &mesh->normal_capacity);
     if (!normal)
         return false;
     float length = vec3_length(*normal);
@@ -113,8 +112,7 @@ static bool read_index(Reader *reader, size_t count, const char *what, uint32_t 
     for (; p < end && *p >= '0' && *p <= '9'; p++)
         number = number > UINT32_MAX ? number : number * 10 + (uint64_t)(*p - '0');
     if (p == digits)
-        return word_fault(reader,
-                          "a corner; expected point, point/texture, point//normal or point/texture/normal");
+        return word_fault(reader, "a corner; expected point, point/texture, point//normal or point/texture/normal");
     if (number == 0 || number > count)
         return fault(reader, "there is no %s %.*s: %zu stand above, counted from 1", what,
                      (int)(p - start < 30 ? p - start : 30), start, count);
@@ -149,8 +147,7 @@ static bool read_corner(Reader *reader, Corner *corner)
 static bool has_area(const ObjMesh *mesh, Corner a, Corner b, Corner c)
 {
     Vec3 origin = mesh->points[a.point];
-    return !flat_is_degenerate(vec3_sub(mesh->points[b.point], origin),
-                               vec3_sub(mesh->points[c.point], origin));
+    return !flat_is_degenerate(vec3_sub(mesh->points[b.point], origin), vec3_sub(mesh->points[c.point], origin));
 }
 
 static bool add_triangle(const Reader *reader, Corner a, Corner b, Corner c)
@@ -185,8 +182,7 @@ static bool read_face(Reader *reader)
     if (count < 3)
         return fault(reader, "a face of %d corner%s; expected at least 3", count, count == 1 ? "" : "s");
     return reader->mesh->triangle_count > before ||
-           fault(reader,
-                 "a face without area: its corners coincide or lie in a line; remove it or move a corner");
+           fault(reader, "a face without area: its corners coincide or lie in a line; remove it or move a corner");
 }
 
 static bool read_usemtl(Reader *reader)
@@ -261,8 +257,7 @@ bool obj_read_text(const char *text, size_t size, const char *name, ObjMesh *mes
     for (; reader.cursor.at < reader.cursor.end; obj_next_line(&reader.cursor))
         if (!obj_at_line_end(&reader.cursor) && !read_statement(&reader))
             return false;
-    return mesh->triangle_count > 0 ||
-           fault(&reader, "the file ends without a face; expected lines like 'f 1 2 3'");
+    return mesh->triangle_count > 0 || fault(&reader, "the file ends without a face; expected lines like 'f 1 2 3'");
 }
 
 void obj_free(ObjMesh *mesh)

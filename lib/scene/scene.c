@@ -17,7 +17,8 @@ void scene_free(Scene *scene)
     free(scene);
 }
 
-// A ray's first millionth is skipped: where two surfaces meet, rounding may have put its origin just behind the other one.
+// A ray's first millionth is skipped: where two surfaces meet, rounding may have put its origin just behind the other
+// one.
 static float nearest_distance(Vec3 origin)
 {
     return 1e-6f * fmaxf(fabsf(origin.x), fmaxf(fabsf(origin.y), fabsf(origin.z)));

@@ -42,7 +42,7 @@ typedef struct {
 // Where a ray meets the scene.
 typedef struct {
     Vec3 position;
-    Vec3 normal;  // unit, on the side the ray came from; on mirrors and glass of a mesh with normals: interpolated
+    Vec3 normal;      // unit, on the side the ray came from; on mirrors and glass of a mesh with normals: interpolated
     Vec3 face_normal; // unit, on the same side; never interpolated
     float distance;
     bool entering; // the ray came from outside (the side the surface's own normal points to)

@@ -20,8 +20,7 @@ static bool set_emission(const SceneLoader *loader, const LightEntry *entry, Lig
     }
     float most = colour_max(light->radiance);
     if (!(most < 1e18f && colour_max(light->power) < 1e18f))
-        return scene_fault(loader, NULL,
-                           "this light of %g m² is too bright to reckon with; expected less power",
+        return scene_fault(loader, NULL, "this light of %g m² is too bright to reckon with; expected less power",
                            light->area);
     return true;
 }
@@ -54,8 +53,8 @@ static bool build_rectangle(SceneLoader *loader, const LightEntry *entry, Light 
     light->direction = vec3_scale(normal, 1.0f / light->area);
     light->primitive = (uint32_t)loader->scene->flat_count;
     Flat flat = {.origin = light->position, .edge_u = light->edge_u, .edge_v = light->edge_v};
-    return set_emission(loader, entry, light) &&
-           add_light_material(loader, light->radiance, &flat.material) && scene_add_flat(loader, flat);
+    return set_emission(loader, entry, light) && add_light_material(loader, light->radiance, &flat.material) &&
+           scene_add_flat(loader, flat);
 }
 
 static bool build_sphere(SceneLoader *loader, const LightEntry *entry, Light *light)
@@ -65,8 +64,8 @@ static bool build_sphere(SceneLoader *loader, const LightEntry *entry, Light *li
     light->area = 4.0f * PI * light->radius * light->radius;
     light->primitive = (uint32_t)loader->scene->sphere_count;
     Sphere sphere = {.centre = light->position, .radius = light->radius};
-    return set_emission(loader, entry, light) &&
-           add_light_material(loader, light->radiance, &sphere.material) && scene_add_sphere(loader, sphere);
+    return set_emission(loader, entry, light) && add_light_material(loader, light->radiance, &sphere.material) &&
+           scene_add_sphere(loader, sphere);
 }
 
 // Spot and beam point from their position to their target.

@@ -58,8 +58,7 @@ static SceneEntries *read_entries(const char *text, size_t size, const char *fil
     char message[200] = "";
     cyaml_config_t settings = cyaml_settings(message);
     cyaml_data_t *entries = NULL;
-    cyaml_err_t result =
-        cyaml_load_data((const uint8_t *)text, size, &settings, &scene_schema, &entries, NULL);
+    cyaml_err_t result = cyaml_load_data((const uint8_t *)text, size, &settings, &scene_schema, &entries, NULL);
     if (result != CYAML_OK)
         error_set(error, "%s:1:1: %s (%s)", file, cyaml_strerror(result), message);
     return entries;
@@ -77,8 +76,7 @@ bool scene_build_camera(SceneLoader *loader)
         return scene_fault(loader, "target", "the target is the camera's position; expected another point");
     if (flat_is_degenerate(view, up))
         return scene_fault(loader, entry->up ? "up" : NULL,
-                           "up (%g, %g, %g) is zero or along the view; expected another direction", up.x,
-                           up.y, up.z);
+                           "up (%g, %g, %g) is zero or along the view; expected another direction", up.x, up.y, up.z);
     loader->scene->camera = camera_create(position, target, up, *entry->vertical_fov);
     return true;
 }
@@ -109,8 +107,7 @@ static bool build_scene(SceneLoader *loader)
     for (size_t i = 0; i < scene->light_count; i++)
         if (scene->lights[i].type == LIGHT_SPHERE)
             scene->lights[i].primitive += (uint32_t)scene->flat_count;
-    scene->bvh =
-        bvh_build(scene->flats, scene->flat_count, scene->spheres, scene->sphere_count, loader->error);
+    scene->bvh = bvh_build(scene->flats, scene->flat_count, scene->spheres, scene->sphere_count, loader->error);
     return scene->bvh || error_set(loader->error, "%s: not enough memory for the hierarchy", loader->file);
 }
 

@@ -92,16 +92,15 @@ static bool type_fault(Walk *walk, Schema schema)
     const yaml_event_t *event = &walk->event;
     char found[64] = "a list";
     if (event->type == YAML_ALIAS_EVENT)
-        return fault(walk, event->start_mark,
-                     "an alias (*name); scene files cannot repeat values by aliases");
+        return fault(walk, event->start_mark, "an alias (*name); scene files cannot repeat values by aliases");
     if (event->type == YAML_MAPPING_START_EVENT)
         snprintf(found, sizeof found, "keys with values");
     else if (event->type == YAML_SCALAR_EVENT && event->data.scalar.length == 0)
         snprintf(found, sizeof found, "nothing");
     else if (event->type == YAML_SCALAR_EVENT)
         snprintf(found, sizeof found, "'%.50s'", (const char *)event->data.scalar.value);
-    return fault(walk, event->start_mark, "%s is %s; expected %s", walk->path[0] ? walk->path : "the scene",
-                 found, expected[schema->type]);
+    return fault(walk, event->start_mark, "%s is %s; expected %s", walk->path[0] ? walk->path : "the scene", found,
+                 expected[schema->type]);
 }
 
 static bool check_number(Walk *walk, Schema schema)
@@ -116,8 +115,7 @@ static bool check_number(Walk *walk, Schema schema)
     if (!text_number(&at, end, &value) || at != end || (schema->type == CYAML_INT && !whole))
         return type_fault(walk, schema);
     return fabs(value) <= SCENE_LARGEST_NUMBER ||
-           fault(walk, walk->event.start_mark, "%s is %.40s; expected a number between -1e9 and 1e9",
-                 walk->path, word);
+           fault(walk, walk->event.start_mark, "%s is %.40s; expected a number between -1e9 and 1e9", walk->path, word);
 }
 
 static bool check_choice(Walk *walk, Schema schema)
@@ -137,8 +135,8 @@ static bool check_word(Walk *walk, Schema schema)
     if (length < schema->string.min || strlen((const char *)walk->event.data.scalar.value) != length)
         return type_fault(walk, schema);
     return length <= schema->string.max ||
-           fault(walk, walk->event.start_mark, "%s is %zu characters long; expected at most %u", walk->path,
-                 length, (unsigned)schema->string.max);
+           fault(walk, walk->event.start_mark, "%s is %zu characters long; expected at most %u", walk->path, length,
+                 (unsigned)schema->string.max);
 }
 
 static bool walk_sequence(Walk *walk, Schema schema)
@@ -151,8 +149,8 @@ static bool walk_sequence(Walk *walk, Schema schema)
         if (walk->event.type == YAML_SEQUENCE_END_EVENT)
             break;
         if (count == schema->sequence.max && schema->type == CYAML_SEQUENCE)
-            return fault(walk, walk->event.start_mark, "%s has too many entries; expected at most %u",
-                         walk->path, (unsigned)schema->sequence.max);
+            return fault(walk, walk->event.start_mark, "%s has too many entries; expected at most %u", walk->path,
+                         (unsigned)schema->sequence.max);
         snprintf(walk->path + parent, sizeof walk->path - parent, "[%zu]", count);
         if (!walk_value(walk, schema->sequence.entry))
             return false;
@@ -247,8 +245,7 @@ static bool walk_text(Walk *walk)
     if (!next(walk) || !next(walk)) // start of stream, start of document
         return false;
     if (walk->event.type == YAML_STREAM_END_EVENT)
-        return fault(walk, (yaml_mark_t){0},
-                     "the file is empty; expected camera, materials, lights and shapes");
+        return fault(walk, (yaml_mark_t){0}, "the file is empty; expected camera, materials, lights and shapes");
     if (!next(walk) || !walk_value(walk, &scene_schema) || !next(walk) || !next(walk))
         return false;
     return walk->event.type == YAML_STREAM_END_EVENT ||

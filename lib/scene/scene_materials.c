@@ -49,16 +49,14 @@ static bool build_glass(const SceneLoader *loader, const MaterialEntry *entry, M
         return scene_fault(loader, NULL,
                            "glass '%s' has %s index; expected exactly one of: index, indices, glass, or "
                            "index_d together with abbe",
-                           entry->name,
-                           cauchy || entry->index || entry->indices || entry->glass ? "no single" : "no");
+                           entry->name, cauchy || entry->index || entry->indices || entry->glass ? "no single" : "no");
     if (entry->glass && !catalogue_indices(loader, entry->glass, material))
         return false;
     if (cauchy && !cauchy_indices(loader, entry, material))
         return false;
     for (int c = 0; c < 3 && !entry->glass && !cauchy; c++)
         material->index[c] = entry->index ? *entry->index : entry->indices[c];
-    material->disperses =
-        material->index[0] != material->index[1] || material->index[1] != material->index[2];
+    material->disperses = material->index[0] != material->index[1] || material->index[1] != material->index[2];
     return true;
 }
 
@@ -70,11 +68,10 @@ static bool build_glossy(const SceneLoader *loader, const MaterialEntry *entry, 
     // 0.7 + 0.3 may come out a little above 1 in single precision.
     float most = colour_max(colour_add(material->diffuse, material->specular));
     if (most > 1.000001f)
-        return scene_fault(
-            loader, NULL,
-            "diffuse + specular of '%s' is %g in a channel; expected at most 1, or the surface "
-            "would give back more light than it gets",
-            entry->name, most);
+        return scene_fault(loader, NULL,
+                           "diffuse + specular of '%s' is %g in a channel; expected at most 1, or the surface "
+                           "would give back more light than it gets",
+                           entry->name, most);
     material->lobe = calloc(1, sizeof *material->lobe);
     if (!material->lobe)
         return error_set(loader->error, "%s: not enough memory", loader->file);

@@ -50,16 +50,15 @@ static bool place_mesh(const SceneLoader *loader, ObjMesh *mesh, const Placement
         float most = fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z)));
         if (most > (float)SCENE_LARGEST_NUMBER)
             return scene_fault(loader, "scale",
-                               "scale and translate put a point of the mesh %g m away; expected at most %g",
-                               most, SCENE_LARGEST_NUMBER);
+                               "scale and translate put a point of the mesh %g m away; expected at most %g", most,
+                               SCENE_LARGEST_NUMBER);
     }
     return true;
 }
 
 // Corner normals are kept unless one of them looks to the other side than the face: such a mesh contradicts
 // itself there, and the face's own normal is the one that tells inside from outside.
-static bool add_corner_normals(SceneLoader *loader, const ObjMesh *mesh, const ObjTriangle *triangle,
-                               Flat *flat)
+static bool add_corner_normals(SceneLoader *loader, const ObjMesh *mesh, const ObjTriangle *triangle, Flat *flat)
 {
     Vec3 face = vec3_cross(flat->edge_u, flat->edge_v), corners[3];
     for (int i = 0; i < 3; i++) {
@@ -72,8 +71,7 @@ static bool add_corner_normals(SceneLoader *loader, const ObjMesh *mesh, const O
 }
 
 // The scene's numbers of the mesh's materials, and last that of faces without any. The caller frees them.
-static uint32_t *mesh_materials(const SceneLoader *loader, const ObjMesh *mesh, const char *path,
-                                uint32_t unnamed)
+static uint32_t *mesh_materials(const SceneLoader *loader, const ObjMesh *mesh, const char *path, uint32_t unnamed)
 {
     uint32_t *numbers = malloc((mesh->material_count + 1) * sizeof *numbers);
     if (!numbers) {
@@ -87,8 +85,8 @@ static uint32_t *mesh_materials(const SceneLoader *loader, const ObjMesh *mesh, 
             continue;
         char suggestion[400];
         scene_suggest_material(loader, material->name, suggestion, sizeof suggestion);
-        error_set(loader->error, "%s:%ld: usemtl '%s' is no material of %s; %s", path, material->line,
-                  material->name, loader->file, suggestion);
+        error_set(loader->error, "%s:%ld: usemtl '%s' is no material of %s; %s", path, material->line, material->name,
+                  loader->file, suggestion);
         free(numbers);
         return NULL;
     }
@@ -109,8 +107,7 @@ static bool add_mesh(SceneLoader *loader, const ObjMesh *mesh, const uint32_t *m
             .is_triangle = 1,
         };
         if (flat.material == NO_MATERIAL)
-            return scene_fault(loader, NULL,
-                               "this mesh has faces without usemtl; expected a 'material' for them");
+            return scene_fault(loader, NULL, "this mesh has faces without usemtl; expected a 'material' for them");
         if (flat_is_degenerate(flat.edge_u, flat.edge_v))
             return scene_fault(loader, NULL,
                                "a triangle of this mesh vanishes by its scale or its distance from 0; "
@@ -133,15 +130,14 @@ static char *mesh_path(const char *folder, const char *file)
     return path;
 }
 
-static bool add_text(SceneLoader *loader, const ShapeEntry *entry, const char *text, size_t size,
-                     const char *path, uint32_t material)
+static bool add_text(SceneLoader *loader, const ShapeEntry *entry, const char *text, size_t size, const char *path,
+                     uint32_t material)
 {
     ObjMesh mesh;
     uint32_t *materials = NULL;
     Placement placement = placement_of(entry);
-    bool fine =
-        obj_read_text(text, size, path, &mesh, loader->error) && place_mesh(loader, &mesh, &placement) &&
-        (materials = mesh_materials(loader, &mesh, path, material)) && add_mesh(loader, &mesh, materials);
+    bool fine = obj_read_text(text, size, path, &mesh, loader->error) && place_mesh(loader, &mesh, &placement) &&
+                (materials = mesh_materials(loader, &mesh, path, material)) && add_mesh(loader, &mesh, materials);
     free(materials);
     obj_free(&mesh);
     return fine;

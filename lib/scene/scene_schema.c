@@ -4,15 +4,13 @@
 #include "scene/scene.h"
 
 // Every key but `type` is held by pointer, so that a missing one can be told from a zero.
-#define OPTIONAL                  CYAML_FLAG_OPTIONAL
-#define NUMBER(entry, flags, key) CYAML_FIELD_FLOAT_PTR(#key, flags, entry, key)
-#define WHOLE(entry, key)         CYAML_FIELD_INT_PTR(#key, OPTIONAL, entry, key)
-#define THREE(entry, flags, key)                                                                             \
-    CYAML_FIELD_SEQUENCE_FIXED(#key, CYAML_FLAG_POINTER | (flags), entry, key, &number, 3)
+#define OPTIONAL                         CYAML_FLAG_OPTIONAL
+#define NUMBER(entry, flags, key)        CYAML_FIELD_FLOAT_PTR(#key, flags, entry, key)
+#define WHOLE(entry, key)                CYAML_FIELD_INT_PTR(#key, OPTIONAL, entry, key)
+#define THREE(entry, flags, key)         CYAML_FIELD_SEQUENCE_FIXED(#key, CYAML_FLAG_POINTER | (flags), entry, key, &number, 3)
 #define WORD(entry, flags, key, longest) CYAML_FIELD_STRING_PTR(#key, flags, entry, key, 1, longest)
-#define TYPE(entry, names)                                                                                   \
-    CYAML_FIELD_ENUM("type", CYAML_FLAG_STRICT, entry, type, names, CYAML_ARRAY_LEN(names))
-#define LIST(key, value, most)                                                                               \
+#define TYPE(entry, names)               CYAML_FIELD_ENUM("type", CYAML_FLAG_STRICT, entry, type, names, CYAML_ARRAY_LEN(names))
+#define LIST(key, value, most)                                                                                         \
     CYAML_FIELD_SEQUENCE(#key, CYAML_FLAG_POINTER | OPTIONAL, SceneEntries, key, &(value), 0, most)
 
 static const cyaml_schema_value_t number = {CYAML_VALUE_FLOAT(CYAML_FLAG_DEFAULT, float)};
@@ -56,12 +54,10 @@ static const TypeKeys light_keys[] = {
     [LIGHT_BEAM] = {"beam light", "position target radius power", ""},
 };
 static const cyaml_schema_field_t light_fields[] = {
-    TYPE(LightEntry, light_types),       THREE(LightEntry, OPTIONAL, corner),
-    THREE(LightEntry, OPTIONAL, edge_u), THREE(LightEntry, OPTIONAL, edge_v),
-    THREE(LightEntry, OPTIONAL, centre), THREE(LightEntry, OPTIONAL, position),
-    THREE(LightEntry, OPTIONAL, target), NUMBER(LightEntry, OPTIONAL, radius),
-    NUMBER(LightEntry, OPTIONAL, angle), THREE(LightEntry, OPTIONAL, radiance),
-    THREE(LightEntry, OPTIONAL, power),  CYAML_FIELD_END,
+    TYPE(LightEntry, light_types),         THREE(LightEntry, OPTIONAL, corner),  THREE(LightEntry, OPTIONAL, edge_u),
+    THREE(LightEntry, OPTIONAL, edge_v),   THREE(LightEntry, OPTIONAL, centre),  THREE(LightEntry, OPTIONAL, position),
+    THREE(LightEntry, OPTIONAL, target),   NUMBER(LightEntry, OPTIONAL, radius), NUMBER(LightEntry, OPTIONAL, angle),
+    THREE(LightEntry, OPTIONAL, radiance), THREE(LightEntry, OPTIONAL, power),   CYAML_FIELD_END,
 };
 
 static const cyaml_strval_t shape_types[] = {
@@ -115,10 +111,8 @@ static const cyaml_schema_field_t render_fields[] = {
 
 static const cyaml_schema_value_t material_value = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, MaterialEntry, material_fields)};
-static const cyaml_schema_value_t light_value = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, LightEntry, light_fields)};
-static const cyaml_schema_value_t shape_value = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, ShapeEntry, shape_fields)};
+static const cyaml_schema_value_t light_value = {CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, LightEntry, light_fields)};
+static const cyaml_schema_value_t shape_value = {CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, ShapeEntry, shape_fields)};
 
 static const cyaml_schema_field_t scene_fields[] = {
     CYAML_FIELD_MAPPING_PTR("camera", CYAML_FLAG_DEFAULT, SceneEntries, camera, camera_fields),
@@ -128,8 +122,7 @@ static const cyaml_schema_field_t scene_fields[] = {
     LIST(shapes, shape_value, 100000),
     CYAML_FIELD_END,
 };
-const cyaml_schema_value_t scene_schema = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, SceneEntries, scene_fields)};
+const cyaml_schema_value_t scene_schema = {CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, SceneEntries, scene_fields)};
 
 const SceneSection camera_section = {"camera", camera_fields, NULL};
 const SceneSection render_section = {"render", render_fields, NULL};

@@ -25,8 +25,7 @@ bool scene_add_flat(SceneLoader *loader, Flat flat)
 bool scene_add_sphere(SceneLoader *loader, Sphere sphere)
 {
     Scene *scene = loader->scene;
-    Sphere *spheres =
-        array_reserve(scene->spheres, scene->sphere_count, &loader->sphere_capacity, sizeof sphere);
+    Sphere *spheres = array_reserve(scene->spheres, scene->sphere_count, &loader->sphere_capacity, sizeof sphere);
     if (!spheres)
         return memory_fault(loader);
     scene->spheres = spheres;
@@ -38,8 +37,7 @@ bool scene_add_normals(SceneLoader *loader, const Vec3 corners[3])
 {
     Scene *scene = loader->scene;
     for (int i = 0; i < 3; i++) {
-        Vec3 *normals =
-            array_reserve(scene->normals, scene->normal_count, &loader->normal_capacity, sizeof *normals);
+        Vec3 *normals = array_reserve(scene->normals, scene->normal_count, &loader->normal_capacity, sizeof *normals);
         if (!normals)
             return memory_fault(loader);
         scene->normals = normals;
@@ -109,9 +107,8 @@ static bool build_box(SceneLoader *loader, const ShapeEntry *entry, uint32_t mat
     Vec3 size = vec3_sub(high, low), centre = vec3_scale(vec3_add(low, high), 0.5f);
     for (int i = 0; i < 3; i++)
         if (vec3_component(size, i) < SCENE_SMALLEST_LENGTH)
-            return scene_fault(loader, "high",
-                               "high is not above low in %c (%g to %g); expected a larger number", "xyz"[i],
-                               vec3_component(low, i), vec3_component(high, i));
+            return scene_fault(loader, "high", "high is not above low in %c (%g to %g); expected a larger number",
+                               "xyz"[i], vec3_component(low, i), vec3_component(high, i));
     float angle = entry->rotate_y ? *entry->rotate_y : 0.0f;
     Vec3 edges[3] = {scene_rotate(vec3(size.x, 0, 0), 1, angle), vec3(0, size.y, 0),
                      scene_rotate(vec3(0, 0, size.z), 1, angle)};
@@ -133,9 +130,8 @@ static bool build_prism(SceneLoader *loader, const ShapeEntry *entry, uint32_t m
 {
     Vec3 axis = vec3_from_entry(entry->axis), down = vec3_from_entry(entry->down);
     if (flat_is_degenerate(axis, down))
-        return scene_fault(
-            loader, "down",
-            "axis and down are zero or parallel; expected the edge's direction and one away from it");
+        return scene_fault(loader, "down",
+                           "axis and down are zero or parallel; expected the edge's direction and one away from it");
     axis = vec3_normalize(axis);
     down = vec3_normalize(vec3_sub(down, vec3_scale(axis, vec3_dot(axis, down))));
     Vec3 sideways = vec3_cross(axis, down);
@@ -155,9 +151,8 @@ static bool build_prism(SceneLoader *loader, const ShapeEntry *entry, uint32_t m
     };
     for (int i = 0; i < 5; i++) {
         if (flat_is_degenerate(faces[i].edge_u, faces[i].edge_v))
-            return scene_fault(
-                loader, "angle",
-                "this prism is too thin to have an inside; expected larger angle, side or length");
+            return scene_fault(loader, "angle",
+                               "this prism is too thin to have an inside; expected larger angle, side or length");
         if (!scene_add_flat(loader, faces[i]))
             return false;
     }

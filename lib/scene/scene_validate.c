@@ -20,8 +20,7 @@ static const NumberRule rules[] = {
     {"render", "k", 1, 1e6, false, "1 to 1000000 photons"},
     {"render", "radius", 0, 1e9, false, "a length in metres, or 0 for no limit"},
     {"render", "depth", 1, 10000, false, "1 to 10000 bounces"},
-    {NULL, "radius scale side length", SCENE_SMALLEST_LENGTH, 1e9, false,
-     "a number greater than 0 (from 1e-9)"},
+    {NULL, "radius scale side length", SCENE_SMALLEST_LENGTH, 1e9, false, "a number greater than 0 (from 1e-9)"},
     {NULL, "vertical_fov angle", 0, 180, true, "an angle between 0 and 180 degrees"},
     {NULL, "reflectance diffuse specular", 0, 1, false, "0 to 1"},
     {NULL, "radiance power", 0, 1e9, false, "0 or more"},
@@ -72,9 +71,8 @@ static bool check_numbers(const SceneLoader *loader, const cyaml_schema_field_t 
                scene_fault(loader, field->key, "%s is %ld; expected %s", field->key, whole, rule->expected);
     }
     if (field->value.type == CYAML_FLOAT)
-        return in_range(rule, *(const float *)value) ||
-               scene_fault(loader, field->key, "%s is %g; expected %s", field->key, *(const float *)value,
-                           rule->expected);
+        return in_range(rule, *(const float *)value) || scene_fault(loader, field->key, "%s is %g; expected %s",
+                                                                    field->key, *(const float *)value, rule->expected);
     for (int i = 0; i < 3; i++) {
         char key[64];
         snprintf(key, sizeof key, "%s[%d]", field->key, i);
@@ -93,15 +91,14 @@ static bool validate_entry(const SceneLoader *loader, const void *entry)
         if (!(field->value.flags & CYAML_FLAG_POINTER))
             continue; // `type` itself
         const void *value = field_value(field, entry);
-        bool belongs = !keys || !(field->value.flags & CYAML_FLAG_OPTIONAL) ||
-                       has_key(keys->required, field->key) || has_key(keys->optional, field->key);
+        bool belongs = !keys || !(field->value.flags & CYAML_FLAG_OPTIONAL) || has_key(keys->required, field->key) ||
+                       has_key(keys->optional, field->key);
         if (value && !belongs)
-            return scene_fault(loader, field->key, "a %s has no '%s'; its keys are: %s%s%s", keys->type,
-                               field->key, keys->required, keys->required[0] && keys->optional[0] ? " " : "",
-                               keys->optional);
+            return scene_fault(loader, field->key, "a %s has no '%s'; its keys are: %s%s%s", keys->type, field->key,
+                               keys->required, keys->required[0] && keys->optional[0] ? " " : "", keys->optional);
         if (!value && keys && has_key(keys->required, field->key))
-            return scene_fault(loader, NULL, "this %s has no '%s'; expected the keys: %s", keys->type,
-                               field->key, keys->required);
+            return scene_fault(loader, NULL, "this %s has no '%s'; expected the keys: %s", keys->type, field->key,
+                               keys->required);
         if (value && field->value.type != CYAML_STRING && !check_numbers(loader, field, value))
             return false;
     }
@@ -130,7 +127,6 @@ bool scene_validate(SceneLoader *loader)
         return false;
     return validate_list(loader, &material_section, entries->materials, sizeof(MaterialEntry),
                          entries->materials_count) &&
-           validate_list(loader, &light_section, entries->lights, sizeof(LightEntry),
-                         entries->lights_count) &&
+           validate_list(loader, &light_section, entries->lights, sizeof(LightEntry), entries->lights_count) &&
            validate_list(loader, &shape_section, entries->shapes, sizeof(ShapeEntry), entries->shapes_count);
 }

@@ -1,5 +1,5 @@
-// What the scene's surfaces are made of, once loaded: flats (triangles and parallelograms) and spheres. A box becomes six
-// flats, a prism five, a mesh one per triangle.
+// What the scene's surfaces are made of, once loaded: flats (triangles and parallelograms) and spheres. A box becomes
+// six flats, a prism five, a mesh one per triangle.
 #ifndef PHOTONLAB_SCENE_SHAPE_H
 #define PHOTONLAB_SCENE_SHAPE_H
 
@@ -11,8 +11,9 @@
 // The normal edge_u × edge_v points outside.
 typedef struct {
     Vec3 origin, edge_u, edge_v;
-    uint32_t material;    // index into Scene.materials
-    uint32_t normals : 31; // 1 + index into Scene.normals of three corner normals (at origin, +edge_u, +edge_v); 0: flat
+    uint32_t material; // index into Scene.materials
+    uint32_t
+        normals : 31; // 1 + index into Scene.normals of three corner normals (at origin, +edge_u, +edge_v); 0: flat
     uint32_t is_triangle : 1;
 } Flat;
 

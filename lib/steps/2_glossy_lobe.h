@@ -9,21 +9,23 @@
 // In float the root loses its digits for large n; −expm1(2/(n+1)·ln u₁) keeps them.
 Vec3 sample_lobe(float exponent, Rng *rng);
 
-// 2.2  Turns a direction given about +z so that it stands about `axis` (unit): +z goes to axis, lengths and angles stay. Must
-// work for every axis, ±z included.
+// 2.2  Turns a direction given about +z so that it stands about `axis` (unit): +z goes to axis, lengths and angles
+// stay. Must work for every axis, ±z included.
 Vec3 turn_to(Vec3 local, Vec3 axis);
 
 #define MAX_LOBE_TRIES 1000
 
-// 2.3  The source text's glossy bounce. `direction` (unit) flies towards the surface, `normal` (unit) faces it. Draw a diffuse
-// direction. If it lies on the mirror direction's side, dot(out, mirror) > 0, take a lobe sample about the mirror direction instead, redrawn
-// while it is below the surface; otherwise keep the diffuse one. *weight is 1: as much flux leaves as came. The density of *out:
+// 2.3  The source text's glossy bounce. `direction` (unit) flies towards the surface, `normal` (unit) faces it. Draw
+// a diffuse direction. If it lies on the mirror direction's side, dot(out, mirror) > 0, take a lobe sample about the
+// mirror direction instead, redrawn while it is below the surface; otherwise keep the diffuse one. *weight is 1: as
+// much flux leaves as came. The density of *out:
 //          p = P·cosⁿα/I_P for α < 90°,  cosθ_o/π beyond,  P = (1 + cosθ)/2
 // After MAX_LOBE_TRIES redraws: call redraw_cap_reached() and return false.
 bool scatter_glossy_source_text(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight);
 
-// 2.4  The energy-conserving bounce: one lobe sample about the mirror direction. Below the surface: absorbed, return false. The
-// weight makes it the modified Phong BRDF f = ρ(n+2)/(2π)·cosⁿα (Lafortune & Willems 1994); ρ is the caller's:
+// 2.4  The energy-conserving bounce: one lobe sample about the mirror direction. Below the surface: absorbed, return
+// false. The weight makes it the modified Phong BRDF f = ρ(n+2)/(2π)·cosⁿα (Lafortune & Willems 1994); ρ is the
+// caller's:
 //          weight = f·cosθ_o/(ρ·pdf) = (n+2)/(n+1)·cosθ_o
 bool scatter_glossy_phong(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight);
 

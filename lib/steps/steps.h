@@ -1,8 +1,8 @@
 // The step table: what a student fills in, and where it plugs into the program.
 //
-// Every step is one function in one source file, built into one shared object. steps_load fills the slots below from the
-// reference solutions and, step by step, from a student's objects. Steps call each other through the slots (steps.reflect(…)), so
-// any mixture of both runs.
+// Every step is one function in one source file, built into one shared object. steps_load fills the slots below from
+// the reference solutions and, step by step, from a student's objects. Steps call each other through the slots
+// (steps.reflect(…)), so any mixture of both runs.
 #ifndef PHOTONLAB_STEPS_STEPS_H
 #define PHOTONLAB_STEPS_STEPS_H
 
@@ -36,10 +36,10 @@ typedef struct {
 extern Steps steps;
 
 typedef struct {
-    const char *id;      // "1.3"
-    const char *symbol;  // the function's name
+    const char *id;     // "1.3"
+    const char *symbol; // the function's name
     int stage;
-    const char *file;    // below solutions/ and exercises/, without ending
+    const char *file; // below solutions/ and exercises/, without ending
     const char *title;
     const char *hint;
     const char *chapter; // of the course notes, with anchor
@@ -50,20 +50,20 @@ typedef struct {
 extern const StepInfo step_table[STEP_COUNT];
 
 typedef enum {
-    STEP_REFERENCE,   // the solution plays
-    STEP_STUDENT,     // the student's object plays
+    STEP_REFERENCE,  // the solution plays
+    STEP_STUDENT,    // the student's object plays
     STEP_NOT_STARTED // no object of the student, or one that still calls todo(): the solution plays in its place
 } StepState;
 
 extern StepState step_states[STEP_COUNT];
 
-// Fills every slot: from `student_dir` (NULL: none) where it holds a started step, otherwise from the reference solutions,
-// <directory of the library>/solutions. Both are laid out as StepInfo.file with the ending .so. False, naming step and file,
-// when an object cannot be loaded, lacks its function, or no object is found for a step.
+// Fills every slot: from `student_dir` (NULL: none) where it holds a started step, otherwise from the reference
+// solutions, <directory of the library>/solutions. Both are laid out as StepInfo.file with the ending .so. False,
+// naming step and file, when an object cannot be loaded, lacks its function, or no object is found for a step.
 bool steps_load(const char *student_dir, Error *error);
 
-// Which steps play where two do the same work: "2.3" or "2.4" for glossy surfaces, "1.5" or "3.4" for the photon's life;
-// several parted by commas. Unset: 2.4 and 3.4.
+// Which steps play where two do the same work: "2.3" or "2.4" for glossy surfaces, "1.5" or "3.4" for the photon's
+// life; several parted by commas. Unset: 2.4 and 3.4.
 typedef struct {
     GlossyModel glossy;
     bool loop; // 1.5 in place of 3.4

@@ -20,7 +20,8 @@ Colour estimate_radiance(const PhotonMap *map, const Hit *hit, Vec3 wo, Gather *
         // 3. Let nearer photons count more: a cone of height 1 over the disk.
         float weight = 1.0f - sqrtf(gather->near[i].distance2) / r;
 
-        // 4. Add the share of the photon's flux that the surface sends towards the eye. Its cosine is in the flux already.
+        // 4. Add the share of the photon's flux that the surface sends towards the eye. Its cosine is in the flux
+        // already.
         Colour f = gather_brdf(gather, hit, photon, wo);
         sum = colour_add(sum, colour_scale(colour_mul(f, photon->power), weight));
     }

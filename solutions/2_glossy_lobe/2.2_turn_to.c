@@ -3,7 +3,8 @@
 
 Vec3 turn_to(Vec3 local, Vec3 axis)
 {
-    // 1. Find two unit vectors at right angles to the axis and to each other: start from whichever of x and y is farther from it.
+    // 1. Find two unit vectors at right angles to the axis and to each other: start from whichever of x and y is
+    // farther from it.
     Vec3 helper = fabsf(axis.x) < 0.7f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
     Vec3 tangent = vec3_normalize(vec3_cross(helper, axis));
     Vec3 bitangent = vec3_cross(axis, tangent);

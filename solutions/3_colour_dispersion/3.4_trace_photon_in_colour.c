@@ -15,7 +15,8 @@ static void meet_glass(PhotonTrace *trace, Photon photon, const Hit *hit, Rng *r
     }
     float mean = (share[0] + share[1] + share[2]) / 3.0f;
 
-    // 5. Reflect with the mean probability. Weights make up for the channels that would have had another. White stays white.
+    // 5. Reflect with the mean probability. Weights make up for the channels that would have had another. White stays
+    // white.
     if (rng_float(rng) < mean) {
         photon.power = colour_mul(photon.power, colour(share[0] / mean, share[1] / mean, share[2] / mean));
         photon.direction = steps.reflect(photon.direction, hit->normal);
@@ -23,8 +24,8 @@ static void meet_glass(PhotonTrace *trace, Photon photon, const Hit *hit, Rng *r
         return;
     }
     float rest = 1.0f - mean;
-    photon.power = colour_mul(
-        photon.power, colour((1.0f - share[0]) / rest, (1.0f - share[1]) / rest, (1.0f - share[2]) / rest));
+    photon.power =
+        colour_mul(photon.power, colour((1.0f - share[0]) / rest, (1.0f - share[1]) / rest, (1.0f - share[2]) / rest));
 
     // 6. Otherwise refract: split white into its colours and follow each on its own way.
     Photon children[3];

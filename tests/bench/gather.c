@@ -39,8 +39,7 @@ static Vec3 from_array(const float v[3])
 static Sums measure_nearest(const Work *work, size_t query, NearPhoton *near)
 {
     float r2 = INFINITY;
-    size_t found =
-        photon_map_nearest(work->map, from_array(work->queries[query].position), work->k, &r2, near);
+    size_t found = photon_map_nearest(work->map, from_array(work->queries[query].position), work->k, &r2, near);
     return (Sums){(double)r2, (double)found, 0.0};
 }
 

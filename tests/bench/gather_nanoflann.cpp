@@ -82,8 +82,7 @@ Sums within(const Tree &tree, const std::vector<BenchPhoton> &photons, const Ben
     parameters.sorted = false;
     scratch.found.clear();
     Sums sums;
-    sums.found =
-        static_cast<double>(tree.radiusSearch(query.position, radius * radius, scratch.found, parameters));
+    sums.found = static_cast<double>(tree.radiusSearch(query.position, radius * radius, scratch.found, parameters));
     float power[3] = {0.0f, 0.0f, 0.0f};
     float per_radius = 1.0f / radius;
     for (const Found &item : scratch.found) {
@@ -131,8 +130,7 @@ double rate(const std::vector<BenchQuery> &queries, size_t count, int repetition
     return 1e-3 * static_cast<double>(count) / median_seconds(seconds);
 }
 
-std::unique_ptr<Tree> time_build(const Points &points, size_t leaf, const BenchArguments &arguments,
-                                 double &best)
+std::unique_ptr<Tree> time_build(const Points &points, size_t leaf, const BenchArguments &arguments, double &best)
 {
     std::unique_ptr<Tree> tree;
     std::vector<double> seconds;
@@ -174,17 +172,14 @@ int main(int argc, char **argv)
         bytes = static_cast<double>(tree->usedMemory(*tree)) / static_cast<double>(arguments.photons);
         for (int i = 0; i < BENCH_K_COUNT; i++) {
             size_t k = static_cast<size_t>(bench_k[i]);
-            auto ask = [&](const BenchQuery &query, Scratch &scratch) {
-                return nearest(*tree, query, k, scratch);
-            };
-            best[i] = std::max(best[i], rate(queries, bench_queries(&arguments, bench_k[i]),
-                                             arguments.repetitions, sums[i], ask));
+            auto ask = [&](const BenchQuery &query, Scratch &scratch) { return nearest(*tree, query, k, scratch); };
+            best[i] = std::max(
+                best[i], rate(queries, bench_queries(&arguments, bench_k[i]), arguments.repetitions, sums[i], ask));
         }
         auto ask = [&](const BenchQuery &query, Scratch &scratch) {
             return within(*tree, photons, query, radius, scratch);
         };
-        best_radius =
-            std::max(best_radius, rate(queries, queries.size(), arguments.repetitions, radius_sums, ask));
+        best_radius = std::max(best_radius, rate(queries, queries.size(), arguments.repetitions, radius_sums, ask));
     }
 
     double count = static_cast<double>(arguments.queries);
@@ -192,7 +187,7 @@ int main(int argc, char **argv)
     for (int i = 0; i < BENCH_K_COUNT; i++)
         std::printf("knn%d_kq_s %.1f\nknn%d_mean_r2 %.7g\n", bench_k[i], best[i], bench_k[i],
                     sums[i].r2 / static_cast<double>(bench_queries(&arguments, bench_k[i])));
-    std::printf("radius_kq_s %.1f\nradius_mean_found %.4f\nradius_power %.7g\n", best_radius,
-                radius_sums.found / count, radius_sums.power / count);
+    std::printf("radius_kq_s %.1f\nradius_mean_found %.4f\nradius_power %.7g\n", best_radius, radius_sums.found / count,
+                radius_sums.power / count);
     return 0;
 }

@@ -120,8 +120,7 @@ static void add_wall(BenchMesh *mesh, int axis, const float low[3], const float 
 // "box": five walls, a lamp and two spheres of 20 000 triangles. "mesh": one wavy sphere of a million.
 static BenchMesh mesh_create(bool box)
 {
-    BenchMesh mesh = {bench_malloc(600000 * 3 * sizeof(float)), 0,
-                      bench_malloc(1100000 * 3 * sizeof(uint32_t)), 0};
+    BenchMesh mesh = {bench_malloc(600000 * 3 * sizeof(float)), 0, bench_malloc(1100000 * 3 * sizeof(uint32_t)), 0};
     if (!box) {
         add_sphere(&mesh, 1000, 501, (float[]){0, 0, 0}, 1.0f, true);
         return mesh;

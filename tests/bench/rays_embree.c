@@ -18,10 +18,10 @@ static void engine_build(const BenchMesh *mesh, int threads)
     rtcSetSceneBuildQuality(engine_scene, RTC_BUILD_QUALITY_MEDIUM);
     RTCGeometry geometry = rtcNewGeometry(engine_device, RTC_GEOMETRY_TYPE_TRIANGLE);
     const size_t stride = 3 * sizeof(float);
-    void *vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, stride,
-                                             mesh->vertex_count);
-    void *triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, stride,
-                                              mesh->triangle_count);
+    void *vertices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, stride, mesh->vertex_count);
+    void *triangles =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, stride, mesh->triangle_count);
     if (!vertices || !triangles) {
         fprintf(stderr, "rays_embree: not enough memory\n");
         exit(1);

@@ -16,8 +16,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     Image image;
     Error error = {""};
     bool good = image_read_pfm_memory(&image, bytes, size, "fuzz.pfm", &error);
-    if (good && (error.message[0] || image.width < 1 || image.height < 1 ||
-                 !image_check_finite(&image, "fuzz.pfm", &error)))
+    if (good &&
+        (error.message[0] || image.width < 1 || image.height < 1 || !image_check_finite(&image, "fuzz.pfm", &error)))
         abort();
     if (!good && (image.pixels || strncmp(error.message, "fuzz.pfm:", 9) != 0))
         abort();

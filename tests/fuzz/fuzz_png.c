@@ -9,8 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_PIXELS                                                                                          \
-    1000000ull // larger ones only cost time here; that they are refused is a unit test's matter
+#define MOST_PIXELS 1000000ull // larger ones only cost time here; that they are refused is a unit test's matter
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 

@@ -30,8 +30,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (size_t i = 0; i < scene->light_count; i++) {
         const Light *light = &scene->lights[i];
         require(isfinite(colour_sum(light->power)) && isfinite(colour_sum(light->radiance)));
-        require(light->primitive == NO_PRIMITIVE ||
-                light->primitive < scene->flat_count + scene->sphere_count);
+        require(light->primitive == NO_PRIMITIVE || light->primitive < scene->flat_count + scene->sphere_count);
     }
     Ray ray = camera_ray(&scene->camera, 0.3f, 0.6f, 1.5f);
     require(fabsf(vec3_length(ray.direction) - 1.0f) < 1e-3f);

@@ -18,8 +18,8 @@ static inline void png_put(PngFile *file, const void *bytes, size_t size)
 
 static inline void png_put_u32(PngFile *file, uint32_t value)
 {
-    const unsigned char b[4] = {(unsigned char)(value >> 24), (unsigned char)(value >> 16),
-                                (unsigned char)(value >> 8), (unsigned char)value};
+    const unsigned char b[4] = {(unsigned char)(value >> 24), (unsigned char)(value >> 16), (unsigned char)(value >> 8),
+                                (unsigned char)value};
     png_put(file, b, 4);
 }
 

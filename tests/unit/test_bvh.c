@@ -15,8 +15,7 @@ static double dot(const double a[3], const double b[3])
 // Distance to a flat that is larger by `slack` (relative to its edges), or infinity.
 static double flat_distance(const Flat *f, const Ray *ray, double t_min, double slack)
 {
-    const double u[3] = {f->edge_u.x, f->edge_u.y, f->edge_u.z},
-                 v[3] = {f->edge_v.x, f->edge_v.y, f->edge_v.z};
+    const double u[3] = {f->edge_u.x, f->edge_u.y, f->edge_u.z}, v[3] = {f->edge_v.x, f->edge_v.y, f->edge_v.z};
     const double d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
     const double p[3] = {(double)ray->origin.x - f->origin.x, (double)ray->origin.y - f->origin.y,
                          (double)ray->origin.z - f->origin.z};
@@ -162,8 +161,8 @@ static void test_all_in_a_plane(void **state)
     memset(&shapes, 0, sizeof shapes);
     for (int i = 0; i < 30; i++)
         for (int j = 0; j < 30; j++)
-            add_flat(vec3((float)i / 15 - 1, 0.25f, (float)j / 15 - 1), vec3(0, 0, 1 / 15.0f),
-                     vec3(1 / 15.0f, 0, 0), i % 2);
+            add_flat(vec3((float)i / 15 - 1, 0.25f, (float)j / 15 - 1), vec3(0, 0, 1 / 15.0f), vec3(1 / 15.0f, 0, 0),
+                     i % 2);
     check_random_rays(&rng, 600);
     Bvh *bvh = build();
     for (int i = 0; i < 1000; i++) {

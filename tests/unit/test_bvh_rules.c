@@ -57,8 +57,7 @@ static void test_leaving_flats(void **state)
         const Flat *flat = &shapes.flats[wall];
         float u = rng_float(&rng);
         float v = rng_float(&rng);
-        Ray ray = {vec3_along(vec3_along(flat->origin, flat->edge_u, u), flat->edge_v, v),
-                   random_point(&rng, 1), wall};
+        Ray ray = {vec3_along(vec3_along(flat->origin, flat->edge_u, u), flat->edge_v, v), random_point(&rng, 1), wall};
         Vec3 middle = vec3_sub(vec3(3, -2, 0.7f), ray.origin);
         Vec3 normal = vec3_cross(flat->edge_u, flat->edge_v);
         if (vec3_dot(normal, middle) * vec3_dot(normal, ray.direction) < 0)
@@ -164,8 +163,7 @@ static void test_threads(void **state)
         BvhHit a, b;
         memset(&a, 0, sizeof a);
         memset(&b, 0, sizeof b);
-        assert_int_equal(bvh_closest(one, &ray, 0.0f, INFINITY, &a),
-                         bvh_closest(several, &ray, 0.0f, INFINITY, &b));
+        assert_int_equal(bvh_closest(one, &ray, 0.0f, INFINITY, &a), bvh_closest(several, &ray, 0.0f, INFINITY, &b));
         assert_memory_equal(&a, &b, sizeof a);
     }
     bvh_free(one);

@@ -111,8 +111,7 @@ static void trimming_drops_one_pixel_in_a_thousand(void **state)
 static void pairs_that_cannot_be_compared_are_refused(void **state)
 {
     (void)state;
-    Image image = make_image(3, 2), turned = make_image(2, 3), broken = make_image(3, 2), empty = {0},
-          picture;
+    Image image = make_image(3, 2), turned = make_image(2, 3), broken = make_image(3, 2), empty = {0}, picture;
     Error size = {""}, number = {""}, scale = {""};
     ImageDifference d;
     image_at(&broken, 2, 1)->b = NAN;

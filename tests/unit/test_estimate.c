@@ -9,14 +9,12 @@ static NearPhoton near[PHOTON_MAP_NEAREST_ROOM(ROOM)];
 
 static Hit floor_hit(float x, float y)
 {
-    return (Hit){
-        .position = vec3(x, y, 0), .normal = vec3(0, 0, 1), .face_normal = vec3(0, 0, 1), .material = &grey};
+    return (Hit){.position = vec3(x, y, 0), .normal = vec3(0, 0, 1), .face_normal = vec3(0, 0, 1), .material = &grey};
 }
 
 static StoredPhoton photon_on_floor(float x, float y, Vec3 wi, float power)
 {
-    return (StoredPhoton){
-        .position = vec3(x, y, 0), .power = colour_grey(power), .packed_wi = direction_pack(wi)};
+    return (StoredPhoton){.position = vec3(x, y, 0), .power = colour_grey(power), .packed_wi = direction_pack(wi)};
 }
 
 static PhotonMap *map_of(const StoredPhoton *photons, size_t count)
@@ -54,14 +52,12 @@ static void photons_of_the_other_side_do_not_count(void **state)
     (void)state;
     Hit hit = floor_hit(0, 0);
     Gather gather = {.k = 10, .radius = 0.5f, .near = near};
-    StoredPhoton photons[2] = {photon_on_floor(0.1f, 0, tilted(30), 1),
-                               photon_on_floor(0.1f, 0, tilted(150), 1)};
+    StoredPhoton photons[2] = {photon_on_floor(0.1f, 0, tilted(30), 1), photon_on_floor(0.1f, 0, tilted(150), 1)};
     PhotonMap *above = map_of(&photons[0], 1), *below = map_of(&photons[1], 1), *both = map_of(photons, 2);
     Colour one = steps.estimate_radiance(above, &hit, vec3(0, 0, 1), &gather);
     assert_true(one.r > 0.0f);
     assert_true(steps.estimate_radiance(below, &hit, vec3(0, 0, 1), &gather).r == 0.0f);
-    assert_within(steps.estimate_radiance(both, &hit, vec3(0, 0, 1), &gather).r, one.r, 1e-6,
-                  "the upper one alone");
+    assert_within(steps.estimate_radiance(both, &hit, vec3(0, 0, 1), &gather).r, one.r, 1e-6, "the upper one alone");
     photon_map_free(above);
     photon_map_free(below);
     photon_map_free(both);

@@ -63,8 +63,8 @@ static Image make_pattern(int width, int height)
 {
     Image image = make_image(width, height);
     for (int i = 0; i < width * height; i++)
-        image.pixels[i] = colour((float)(i * 37 % 101) / 100.0f, (float)(i * 53 % 97) / 96.0f,
-                                 (float)(i * 71 % 89) / 8800.0f);
+        image.pixels[i] =
+            colour((float)(i * 37 % 101) / 100.0f, (float)(i * 53 % 97) / 96.0f, (float)(i * 71 % 89) / 8800.0f);
     return image;
 }
 
@@ -133,8 +133,7 @@ static void pfm_comes_back_exactly(void **state)
         assert_true(image_read(&again, "exact.PFM", NULL));
         assert_int_equal(again.width, image.width);
         assert_int_equal(again.height, image.height);
-        assert_memory_equal(again.pixels, image.pixels,
-                            sizeof(Colour) * (size_t)image.width * (size_t)image.height);
+        assert_memory_equal(again.pixels, image.pixels, sizeof(Colour) * (size_t)image.width * (size_t)image.height);
         image_free(&image);
         image_free(&again);
     }
@@ -182,8 +181,7 @@ static void paths_that_cannot_be_used_are_named(void **state)
 {
     (void)state;
     Image image = make_image(1, 1), none = {0};
-    Error missing = {""}, no_folder = {""}, folder_read = {""}, folder_write = {""}, device = {""},
-          bits = {""};
+    Error missing = {""}, no_folder = {""}, folder_read = {""}, folder_write = {""}, device = {""}, bits = {""};
     assert_int_equal(mkdir("folder.png", 0777), 0);
     assert_false(image_read(&none, "missing.png", &missing));
     assert_message(&missing, "missing.png: cannot be read: No such file");

@@ -89,9 +89,9 @@ typedef struct {
     const char *message;
 } BadPng;
 
-#define GREY                                                                                                 \
-    {                                                                                                        \
-        8, 0, 0, 0, 0                                                                                        \
+#define GREY                                                                                                           \
+    {                                                                                                                  \
+        8, 0, 0, 0, 0                                                                                                  \
     }
 #define ROWS 6, "\0\1\2\0\3\4"
 

@@ -14,8 +14,7 @@ static void check_ledger(const Ledger *ledger, const char *what)
     for (int c = 0; c < 3; c++) {
         double out = ledger->absorbed[c] + ledger->escaped[c] + ledger->cut[c] + ledger->chance[c];
         if (!(ledger->emitted[c] > 0.0 && fabs(ledger->emitted[c] - out) <= 1e-4 * ledger->emitted[c]))
-            fail_msg("%s, channel %d: emitted %.9g W, accounted for %.9g W", what, c, ledger->emitted[c],
-                     out);
+            fail_msg("%s, channel %d: emitted %.9g W, accounted for %.9g W", what, c, ledger->emitted[c], out);
         if (!(fabs(ledger->chance[c]) <= 4.0 * ledger->chance_error[c] + 1e-6 * ledger->emitted[c]))
             fail_msg("%s, channel %d: chance made %.4g W, %.2f standard errors", what, c, ledger->chance[c],
                      ledger->chance[c] / ledger->chance_error[c]);
@@ -36,8 +35,8 @@ static void check_photons(const PhotonPass *pass, const Scene *scene, const char
             fine = fine && (photon->colour == WHITE || photon->colour == RED + c || power == 0.0f);
         }
         if (!fine)
-            fail_msg("%s: photon %zu is wrong (colour %d, path %d, bounce %d)", what, i, photon->colour,
-                     photon->path, photon->bounce);
+            fail_msg("%s: photon %zu is wrong (colour %d, path %d, bounce %d)", what, i, photon->colour, photon->path,
+                     photon->bounce);
     }
 }
 
@@ -46,8 +45,7 @@ static void check_scene(const Scene *scene, const char *name)
     for (int i = 0; i < 4; i++) {
         StepChoice play = {i & 1 ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG, i & 2};
         char what[300];
-        snprintf(what, sizeof what, "%s with steps %s,%s", name, i & 1 ? "2.3" : "2.4",
-                 i & 2 ? "1.5" : "3.4");
+        snprintf(what, sizeof what, "%s with steps %s,%s", name, i & 1 ? "2.3" : "2.4", i & 2 ? "1.5" : "3.4");
         PhotonPass pass = photons_of(scene, PHOTONS, 1, play);
         check_ledger(&pass.ledger, what);
         check_photons(&pass, scene, what);
@@ -113,12 +111,11 @@ static void nothing_escapes_from_a_closed_room(void **state)
         check_ledger(&pass.ledger, "closed room");
         for (int c = 0; c < 3; c++) {
             assert_true(pass.ledger.escaped[c] == 0.0);
-            assert_within(
-                pass.ledger.emitted[c],
-                colour_channel(scene->lights[0].power, c) + colour_channel(scene->lights[1].power, c) +
-                    colour_channel(scene->lights[2].power, c) + colour_channel(scene->lights[3].power, c) +
-                    colour_channel(scene->lights[4].power, c),
-                0.02 * pass.ledger.emitted[c], "emitted power"); // lights are picked by chance
+            assert_within(pass.ledger.emitted[c],
+                          colour_channel(scene->lights[0].power, c) + colour_channel(scene->lights[1].power, c) +
+                              colour_channel(scene->lights[2].power, c) + colour_channel(scene->lights[3].power, c) +
+                              colour_channel(scene->lights[4].power, c),
+                          0.02 * pass.ledger.emitted[c], "emitted power"); // lights are picked by chance
         }
         photon_pass_free(&pass);
     }
@@ -130,11 +127,10 @@ static void nothing_escapes_from_a_closed_room(void **state)
 static void integrating_sphere(void **state)
 {
     (void)state;
-    Scene *scene =
-        scene_from_text(CAMERA "render: {depth: 1000}\n"
-                               "materials: [{name: grey, type: diffuse, reflectance: [0.5, 0.8, 0.9]}]\n"
-                               "lights: [{type: point, position: [0.3, 0.2, 0], power: [1, 1, 1]}]\n"
-                               "shapes: [{type: sphere, centre: [0, 0, 0], radius: 1, material: grey}]\n");
+    Scene *scene = scene_from_text(CAMERA "render: {depth: 1000}\n"
+                                          "materials: [{name: grey, type: diffuse, reflectance: [0.5, 0.8, 0.9]}]\n"
+                                          "lights: [{type: point, position: [0.3, 0.2, 0], power: [1, 1, 1]}]\n"
+                                          "shapes: [{type: sphere, centre: [0, 0, 0], radius: 1, material: grey}]\n");
     PhotonPass pass = photons_of(scene, 100000, 1, PLAY_DEFAULT);
     double arrived[3] = {0};
     for (size_t i = 0; i < pass.rest.count; i++) {
@@ -143,10 +139,8 @@ static void integrating_sphere(void **state)
             arrived[c] += (double)colour_channel(pass.rest.photons[i].power, c);
     }
     const double expected[3] = {2.0, 5.0, 10.0};
-    for (int c = 0; c < 3;
-         c++) // absorbed = (1−ρ)·arrived exactly; chance is their distance to the right answer
-        assert_within(arrived[c], expected[c], 4.0 * pass.ledger.chance_error[c] * expected[c],
-                      "flux that arrives");
+    for (int c = 0; c < 3; c++) // absorbed = (1−ρ)·arrived exactly; chance is their distance to the right answer
+        assert_within(arrived[c], expected[c], 4.0 * pass.ledger.chance_error[c] * expected[c], "flux that arrives");
     photon_pass_free(&pass);
     scene_free(scene);
 }
@@ -174,8 +168,7 @@ static float fresnel_without_total_reflection(float cos_i, float eta)
 
 static bool ledger_notices(const Scene *scene)
 {
-    PhotonPassOptions options = {
-        .photons = PHOTONS, .depth = 100, .seed = 1, .keep = KEEP_ALL, .glossy = GLOSSY_PHONG};
+    PhotonPassOptions options = {.photons = PHOTONS, .depth = 100, .seed = 1, .keep = KEEP_ALL, .glossy = GLOSSY_PHONG};
     PhotonPass pass;
     assert_true(photon_pass_run(scene, &options, &pass, NULL));
     photon_pass_free(&pass);

@@ -50,8 +50,7 @@ static Mean emitted_irradiance(const Light *light, const Window *window, Rng *rn
         float towards = -vec3_dot(photon.direction, window->normal);
         float t = vec3_dot(vec3_sub(photon.position, window->centre), window->normal) / towards;
         Vec3 at = vec3_along(photon.position, photon.direction, t);
-        bool through =
-            towards > 0.0f && t > 0.0f && vec3_length(vec3_sub(at, window->centre)) < window->radius;
+        bool through = towards > 0.0f && t > 0.0f && vec3_length(vec3_sub(at, window->centre)) < window->radius;
         mean_add(&mean, through ? (double)photon.power.r / area : 0.0);
     }
     return mean;
@@ -103,16 +102,14 @@ static double mean_irradiance(const Light *light, Vec3 point, Vec3 normal)
 static void sphere_light_irradiance(void **state)
 {
     (void)state;
-    Light light = {
-        .type = LIGHT_SPHERE, .position = vec3(1, 2, 4), .radius = 0.5f, .radiance = colour_grey(3)};
+    Light light = {.type = LIGHT_SPHERE, .position = vec3(1, 2, 4), .radius = 0.5f, .radiance = colour_grey(3)};
     const Vec3 points[] = {{1, 2, 3.4f}, {1, 2, 0}, {0, 0, 0}, {1, 2, -1000}};
     const Vec3 normals[] = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, 0, 1}, {0, 0, 1}};
     for (int i = 0; i < 4; i++) {
         Vec3 way = vec3_sub(light.position, points[i]);
         double d = vec3_length(way), cosine = vec3_dot(way, normals[i]) / d;
         double expected = M_PI * 3.0 * 0.25 / (d * d) * cosine;
-        assert_within(mean_irradiance(&light, points[i], normals[i]), expected, 2e-4 * expected,
-                      "sphere light");
+        assert_within(mean_irradiance(&light, points[i], normals[i]), expected, 2e-4 * expected, "sphere light");
     }
     LightSample sample;
     assert_false(light_sample(&light, vec3(1, 2, 4.2f), 0.5f, 0.5f, &sample)); // inside it
@@ -133,8 +130,7 @@ static void rectangle_light_irradiance(void **state)
                    .radiance = colour_grey(5)};
     double a = 1.0 / 2.0, b = 3.0 / 2.0, ra = sqrt(1.0 + a * a), rb = sqrt(1.0 + b * b);
     double expected = 5.0 / 2.0 * (a / ra * atan(b / ra) + b / rb * atan(a / rb));
-    assert_within(mean_irradiance(&light, vec3(0, 0, 0), vec3(0, 0, 1)), expected, 1e-4 * expected,
-                  "rectangle");
+    assert_within(mean_irradiance(&light, vec3(0, 0, 0), vec3(0, 0, 1)), expected, 1e-4 * expected, "rectangle");
     LightSample sample;
     assert_false(light_sample(&light, vec3(0.5f, 0.5f, 3), 0.5f, 0.5f, &sample)); // behind it
     assert_false(light_sample(&light, vec3(9, 9, 2), 0.5f, 0.5f, &sample));       // in its plane
@@ -219,8 +215,7 @@ static void power_and_radiance(void **state)
             double given = (c + 1) % 3; // 1, 2, 0
             double radiance = i < 2 ? given : given / ratio;
             assert_within(colour_channel(light->radiance, c), radiance, 1e-6 * radiance, "radiance");
-            assert_within(colour_channel(light->power, c), ratio * radiance, 1e-6 * ratio * radiance,
-                          "power");
+            assert_within(colour_channel(light->power, c), ratio * radiance, 1e-6 * ratio * radiance, "power");
         }
     }
     assert_within(angle_between(scene->lights[0].direction, vec3(0, 0, 1)), 0.0, 1e-5, "u x v");

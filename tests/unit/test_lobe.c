@@ -78,8 +78,7 @@ static void turn_to_keeps_lengths_and_angles(void **state)
         assert_turned(vec3((float)sign, 0, 0));
         assert_turned(vec3(0, (float)sign, 0));
         assert_turned(vec3(0, 0, (float)sign));
-        for (float off = 1e-8f; off < 0.1f;
-             off *= 3.0f) { // beside the poles, where shortcuts divide by nearly 0
+        for (float off = 1e-8f; off < 0.1f; off *= 3.0f) { // beside the poles, where shortcuts divide by nearly 0
             assert_turned(vec3_normalize(vec3(off, 0, (float)sign)));
             assert_turned(vec3_normalize(vec3(-off, off, (float)sign)));
         }
@@ -156,8 +155,8 @@ static void source_text_leaks(void **state)
         Rng rng = rng_create(25, (uint64_t)theta);
         long leaked = 0, count = 100000;
         for (long i = 0; i < count; i++) {
-            assert_true(steps.scatter_glossy_source_text(vec3(mirror.x, 0, -mirror.z), vec3(0, 0, 1), 1000,
-                                                         &rng, &out, &weight));
+            assert_true(steps.scatter_glossy_source_text(vec3(mirror.x, 0, -mirror.z), vec3(0, 0, 1), 1000, &rng, &out,
+                                                         &weight));
             leaked += vec3_dot(out, mirror) <= 0.0f;
         }
         assert_share(leaked, count, 0.5 * (1.0 - cos(theta / DEGREES)), "leak beside the lobe");
@@ -201,8 +200,7 @@ static void phong_bounce_has_its_albedo(void **state)
         long accepted = 0, count = 200000;
         for (long i = 0; i < count; i++) {
             float weight = 0.0f;
-            bool above =
-                steps.scatter_glossy_phong(in, vec3(0, 0, 1), cases[k].exponent, &rng, &out, &weight);
+            bool above = steps.scatter_glossy_phong(in, vec3(0, 0, 1), cases[k].exponent, &rng, &out, &weight);
             accepted += above;
             assert_true(!above || out.z > 0.0f);
             mean_add(&mean, above ? weight : 0.0f);

@@ -69,8 +69,8 @@ static void test_files(void **state)
         char path[200], expected[300];
         snprintf(path, sizeof path, FOLDER "%s", faults[i].file);
         snprintf(expected, sizeof expected, "%s%s", faults[i].file, faults[i].expected);
-        wrong += ends_with(path, ".yaml") ? !scene_refused(path, expected)
-                                          : !mesh_refused(FOLDER, faults[i].file, expected);
+        wrong +=
+            ends_with(path, ".yaml") ? !scene_refused(path, expected) : !mesh_refused(FOLDER, faults[i].file, expected);
     }
     assert_int_equal(wrong, 0);
 }
@@ -138,8 +138,7 @@ static void test_no_file(void **state)
     assert_true(scene_refused(temporary_path("missing.yaml"), "missing.yaml: cannot be read: No such file"));
     assert_true(scene_refused(temporary, ": is a directory; expected a file"));
     assert_int_equal(mkfifo(temporary_path("pipe.yaml"), 0600), 0);
-    assert_true(
-        scene_refused(temporary_path("pipe.yaml"), "pipe.yaml: is not a regular file; expected a file"));
+    assert_true(scene_refused(temporary_path("pipe.yaml"), "pipe.yaml: is not a regular file; expected a file"));
     unlink(temporary_path("pipe.yaml"));
 }
 
@@ -171,12 +170,12 @@ static void test_size(void **state)
     assert_true(scene_refused(temporary_path("empty.yaml"), "empty.yaml:1:1: the file is empty"));
     unlink(temporary_path("empty.yaml"));
     make_sparse("huge.yaml", 5000000);
-    assert_true(scene_refused(temporary_path("huge.yaml"),
-                              "huge.yaml: is 5000000 bytes long; expected at most 4194304"));
+    assert_true(
+        scene_refused(temporary_path("huge.yaml"), "huge.yaml: is 5000000 bytes long; expected at most 4194304"));
     unlink(temporary_path("huge.yaml"));
     make_sparse("huge.obj", 600000000);
-    assert_true(mesh_refused("", temporary_path("huge.obj"),
-                             "huge.obj: is 600000000 bytes long; expected at most 536870912"));
+    assert_true(
+        mesh_refused("", temporary_path("huge.obj"), "huge.obj: is 600000000 bytes long; expected at most 536870912"));
     unlink(temporary_path("huge.obj"));
 }
 
@@ -200,10 +199,8 @@ static void test_too_many(void **state)
     assert_text_refused(text, "made.yaml:260:5: materials has too many entries; expected at most 255");
     free(materials);
     // Every light with a surface takes a material too.
-    materials =
-        repeated("", "", 0, "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\nlights:\n");
-    text =
-        repeated(materials, "  - {type: sphere, centre: [0, 0, 0], radius: 1, power: [1, 1, 1]}\n", 256, "");
+    materials = repeated("", "", 0, "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\nlights:\n");
+    text = repeated(materials, "  - {type: sphere, centre: [0, 0, 0], radius: 1, power: [1, 1, 1]}\n", 256, "");
     assert_text_refused(text, "made.yaml:258:5: too many materials");
     free(materials);
 }

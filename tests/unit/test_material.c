@@ -32,10 +32,9 @@ static void lobe_table_values(void **state)
         float cosine = (float)cos(book[i].theta / DEGREES);
         lobe_table_fill(&table, book[i].n);
         double printed = 6e-7; // the book's last digit
-        assert_within(lobe_above_surface(&table, cosine), book[i].above, 1e-3 * book[i].above + printed,
-                      "I_P");
-        assert_within(lobe_weighted_above_surface(&table, cosine), book[i].weighted,
-                      1e-3 * book[i].weighted + printed, "I_M");
+        assert_within(lobe_above_surface(&table, cosine), book[i].above, 1e-3 * book[i].above + printed, "I_P");
+        assert_within(lobe_weighted_above_surface(&table, cosine), book[i].weighted, 1e-3 * book[i].weighted + printed,
+                      "I_M");
     }
 }
 
@@ -102,8 +101,7 @@ static void albedo_is_the_integral_of_the_brdf(void **state)
         }
     }
     Material material = glossy(5); // the book's 0.519407 at 60°
-    assert_within(material_albedo(&material, GLOSSY_PHONG, 0.5f).r, 0.1 + 0.5 * 0.519407, 1e-4,
-                  "n = 5 at 60 degrees");
+    assert_within(material_albedo(&material, GLOSSY_PHONG, 0.5f).r, 0.1 + 0.5 * 0.519407, 1e-4, "n = 5 at 60 degrees");
 }
 
 // The source text sends back all it gets: ρ_d + ρ_s at every angle.
@@ -117,8 +115,7 @@ static void source_text_reflects_rho(void **state)
             Colour sum = reflected(&material, GLOSSY_SOURCE_TEXT, theta);
             Colour albedo = material_albedo(&material, GLOSSY_SOURCE_TEXT, (float)cos(theta / DEGREES));
             for (int c = 0; c < 3; c++) {
-                double rho =
-                    (double)(colour_channel(material.diffuse, c) + colour_channel(material.specular, c));
+                double rho = (double)(colour_channel(material.diffuse, c) + colour_channel(material.specular, c));
                 assert_within(colour_channel(sum, c), rho, 2e-3, "source text, integral");
                 assert_within(colour_channel(albedo, c), rho, 1e-6, "source text, albedo");
             }
@@ -129,11 +126,9 @@ static void source_text_reflects_rho(void **state)
 static void simple_materials(void **state)
 {
     (void)state;
-    Material material = {
-        .type = MATERIAL_DIFFUSE, .diffuse = {0.5f, 0.6f, 0.7f}, .specular = {0.9f, 0.8f, 0.7f}};
+    Material material = {.type = MATERIAL_DIFFUSE, .diffuse = {0.5f, 0.6f, 0.7f}, .specular = {0.9f, 0.8f, 0.7f}};
     Vec3 up = {0, 0, 1};
-    assert_within(material_brdf(&material, GLOSSY_PHONG, tilted(30), tilted(-70), up).g, 0.6 / M_PI, 1e-7,
-                  "Lambert");
+    assert_within(material_brdf(&material, GLOSSY_PHONG, tilted(30), tilted(-70), up).g, 0.6 / M_PI, 1e-7, "Lambert");
     assert_within(material_albedo(&material, GLOSSY_PHONG, 0.1f).b, 0.7, 1e-7, "diffuse albedo");
     material.type = MATERIAL_MIRROR;
     assert_within(material_albedo(&material, GLOSSY_PHONG, 0.1f).r, 0.9, 1e-7, "mirror");

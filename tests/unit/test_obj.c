@@ -34,9 +34,8 @@ static void assert_triangle(const ObjMesh *mesh, size_t i, uint32_t a, uint32_t 
 static void test_kinds_of_corners(void **state)
 {
     (void)state;
-    ObjMesh mesh =
-        read_fine(SQUARE "vt 0 0\nvn 0 0 1\nvn 0 0 5\n"
-                         "f 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//2 3//1\nf 1/1/1 2/7/2 3/-1/-1\nf 1//1 2 3//1\n");
+    ObjMesh mesh = read_fine(SQUARE "vt 0 0\nvn 0 0 1\nvn 0 0 5\n"
+                                    "f 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//2 3//1\nf 1/1/1 2/7/2 3/-1/-1\nf 1//1 2 3//1\n");
     assert_int_equal(mesh.triangle_count, 5);
     for (size_t i = 0; i < 5; i++)
         assert_triangle(&mesh, i, 0, 1, 2);
@@ -99,8 +98,7 @@ static void test_materials(void **state)
 {
     (void)state;
     ObjMesh mesh = read_fine(
-        SQUARE
-        "f 1 2 3\nusemtl red wine  # white\nf 1 2 4\nusemtl b#\nf 1 3 4\nusemtl red wine\r\nf 2 3 4\n");
+        SQUARE "f 1 2 3\nusemtl red wine  # white\nf 1 2 4\nusemtl b#\nf 1 3 4\nusemtl red wine\r\nf 2 3 4\n");
     assert_int_equal(mesh.material_count, 2);
     assert_string_equal(mesh.materials[0].name, "red wine");
     assert_int_equal(mesh.materials[0].line, 6);

@@ -122,8 +122,7 @@ static void nearest_of_many(size_t count, int queries)
         PhotonMap *map = make_map((Arrangement)arrangement, count, 3);
         Rng rng = rng_create(4, count);
         for (int which = 0; which < queries; which++)
-            check_query(map, make_query(map, (Arrangement)arrangement, which, &rng), ks,
-                        sizeof ks / sizeof *ks);
+            check_query(map, make_query(map, (Arrangement)arrangement, which, &rng), ks, sizeof ks / sizeof *ks);
         photon_map_free(map);
     }
 }

@@ -41,8 +41,7 @@ static void test_same_order_for_any_threads(void **state)
             maps[i] = make_map((Arrangement)arrangement, COUNT, 9);
         }
         for (int i = 1; i < 3; i++)
-            assert_memory_equal(photon_map_photons(maps[0]), photon_map_photons(maps[i]),
-                                COUNT * sizeof(StoredPhoton));
+            assert_memory_equal(photon_map_photons(maps[0]), photon_map_photons(maps[i]), COUNT * sizeof(StoredPhoton));
         for (int i = 0; i < 3; i++)
             photon_map_free(maps[i]);
     }

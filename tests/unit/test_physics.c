@@ -9,21 +9,20 @@ static Scene *prism_scene(double incidence)
 {
     double turn = (30.0 - incidence) / DEGREES; // the face's normal, inwards, lies at 30° to +x
     char text[1024];
-    snprintf(
-        text, sizeof text,
-        "camera: {position: [0, 0.5, 0.001], target: [0, 0, 0], vertical_fov: 40}\n"
-        "render: {depth: 200}\n"
-        "materials:\n"
-        "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"
-        "  - {name: flint, type: glass, glass: N-SF11}\n"
-        "lights:\n"
-        "  - {type: beam, position: [%.7f, 0, %.7f], target: [-0.015, 0, 0], radius: 0.001, power: [1, 1, "
-        "1]}\n"
-        "shapes:\n"
-        "  - {type: prism, apex: [0, 0, -0.025981], axis: [0, 1, 0], down: [0, 0, 1], angle: 60, side: 0.06, "
-        "length: 0.08, material: flint}\n"
-        "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: black}\n",
-        -0.015 - 0.3 * cos(turn), -0.3 * sin(turn));
+    snprintf(text, sizeof text,
+             "camera: {position: [0, 0.5, 0.001], target: [0, 0, 0], vertical_fov: 40}\n"
+             "render: {depth: 200}\n"
+             "materials:\n"
+             "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"
+             "  - {name: flint, type: glass, glass: N-SF11}\n"
+             "lights:\n"
+             "  - {type: beam, position: [%.7f, 0, %.7f], target: [-0.015, 0, 0], radius: 0.001, power: [1, 1, "
+             "1]}\n"
+             "shapes:\n"
+             "  - {type: prism, apex: [0, 0, -0.025981], axis: [0, 1, 0], down: [0, 0, 1], angle: 60, side: 0.06, "
+             "length: 0.08, material: flint}\n"
+             "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: black}\n",
+             -0.015 - 0.3 * cos(turn), -0.3 * sin(turn));
     return scene_from_text(text);
 }
 
@@ -54,8 +53,7 @@ static void check_deviations(const Scene *scene, const double expected[3], Mean 
         if (isnan(expected[c]))
             fail_msg("colour %d should be totally reflected, but leaves at %g degrees", c, deviation);
         assert_within(deviation, expected[c], 0.05, "deviation of a photon, degrees");
-        mean_add(&share[c],
-                 (double)pass.emitted * (double)(colour_channel(photon->power, c) / beam->power.r));
+        mean_add(&share[c], (double)pass.emitted * (double)(colour_channel(photon->power, c) / beam->power.r));
     }
     for (int c = 0; c < 3; c++)
         share[c].count = pass.emitted; // those that went elsewhere count as 0
@@ -191,12 +189,9 @@ static void rainbow_of_textbook_indices(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(prism_splits_white_light),
-        cmocka_unit_test(prism_of_the_example_scene),
-        cmocka_unit_test(prism_lets_only_red_out),
-        cmocka_unit_test(prism_at_45_degrees_reflects_every_colour),
-        cmocka_unit_test(rainbow_of_a_drop_of_water),
-        cmocka_unit_test(rainbow_of_textbook_indices),
+        cmocka_unit_test(prism_splits_white_light),   cmocka_unit_test(prism_of_the_example_scene),
+        cmocka_unit_test(prism_lets_only_red_out),    cmocka_unit_test(prism_at_45_degrees_reflects_every_colour),
+        cmocka_unit_test(rainbow_of_a_drop_of_water), cmocka_unit_test(rainbow_of_textbook_indices),
     };
     return cmocka_run_group_tests(tests, load_reference_steps, NULL);
 }

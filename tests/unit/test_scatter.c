@@ -19,10 +19,8 @@ static Hit hit_on(const Material *material)
 static void glossy_bounce_keeps_the_mean(void **state)
 {
     (void)state;
-    Material material = {.type = MATERIAL_GLOSSY,
-                         .diffuse = {0.5f, 0.1f, 0.0f},
-                         .specular = {0.2f, 0.6f, 0.9f},
-                         .exponent = 1e6f};
+    Material material = {
+        .type = MATERIAL_GLOSSY, .diffuse = {0.5f, 0.1f, 0.0f}, .specular = {0.2f, 0.6f, 0.9f}, .exponent = 1e6f};
     const Colour powers[] = {{1, 1, 1}, {0, 2, 0}, {5, 0.1f, 1}};
     for (int k = 0; k < 6; k++) {
         Hit hit = hit_on(&material);
@@ -55,10 +53,8 @@ static void glossy_bounce_keeps_the_mean(void **state)
 static void glossy_bounce_chooses_in_proportion(void **state)
 {
     (void)state;
-    Material material = {.type = MATERIAL_GLOSSY,
-                         .diffuse = {0.2f, 0.2f, 0.2f},
-                         .specular = {0.6f, 0.6f, 0.6f},
-                         .exponent = 1e6f};
+    Material material = {
+        .type = MATERIAL_GLOSSY, .diffuse = {0.2f, 0.2f, 0.2f}, .specular = {0.6f, 0.6f, 0.6f}, .exponent = 1e6f};
     Hit hit = hit_on(&material);
     Rng rng = rng_create(62, 0);
     long survivors = 0, lobes = 0, count = 100000;

@@ -18,10 +18,9 @@ static void test_settings(void **state)
     assert_true(s.width == 512 && s.height == 512 && s.samples == 4 && s.photons == 500000 && s.k == 100 &&
                 s.radius == 0 && s.depth == 32);
     scene_free(scene);
-    scene = load_text(
-        CAMERA LIGHT
-        "render: {width: 3, height: 4, samples: 5, photons: 600000000, k: 7, radius: 0.5, depth: 9}\n",
-        NULL);
+    scene = load_text(CAMERA LIGHT
+                      "render: {width: 3, height: 4, samples: 5, photons: 600000000, k: 7, radius: 0.5, depth: 9}\n",
+                      NULL);
     s = scene->settings;
     assert_true(s.width == 3 && s.height == 4 && s.samples == 5 && s.photons == 600000000 && s.k == 7 &&
                 s.radius == 0.5f && s.depth == 9);
@@ -37,8 +36,7 @@ static void test_camera(void **state)
     for (int j = 0; j < 8; j++)
         for (int i = 0; i < 8; i++) {
             Ray ray = camera_ray(&scene->camera, ((float)i + 0.5f) / 8, ((float)j + 0.5f) / 8, 1);
-            double x = (2 * (i + 0.5) / 8 - 1) * t, y = (1 - 2 * (j + 0.5) / 8) * t,
-                   length = sqrt(x * x + y * y + 1);
+            double x = (2 * (i + 0.5) / 8 - 1) * t, y = (1 - 2 * (j + 0.5) / 8) * t, length = sqrt(x * x + y * y + 1);
             assert_vector(ray.direction, (float)(x / length), (float)(y / length), (float)(-1 / length));
             assert_vector(ray.origin, 0, 0, 3.9f);
             assert_int_equal(ray.from, NO_PRIMITIVE);
@@ -52,16 +50,15 @@ static void test_materials(void **state)
 {
     (void)state;
     Scene *scene = load_text(
-        CAMERA LIGHT
-        "materials:\n"
-        "  - {name: a, type: diffuse, reflectance: [0.7, 0.6, 0.5]}\n"
-        "  - {name: b, type: glossy, diffuse: [0.3, 0.2, 0.1], specular: [0.7, 0.5, 0.5], exponent: 50}\n"
-        "  - {name: c, type: mirror}\n"
-        "  - {name: d, type: mirror, reflectance: [0.9, 0.8, 0.7]}\n"
-        "  - {name: e, type: glass, index: 1.5}\n"
-        "  - {name: f, type: glass, indices: [1.1, 1.1, 1.3]}\n"
-        "  - {name: g, type: glass, glass: n-sf11}\n"
-        "  - {name: h, type: glass, index_d: 1.5168, abbe: 64.17}\n",
+        CAMERA LIGHT "materials:\n"
+                     "  - {name: a, type: diffuse, reflectance: [0.7, 0.6, 0.5]}\n"
+                     "  - {name: b, type: glossy, diffuse: [0.3, 0.2, 0.1], specular: [0.7, 0.5, 0.5], exponent: 50}\n"
+                     "  - {name: c, type: mirror}\n"
+                     "  - {name: d, type: mirror, reflectance: [0.9, 0.8, 0.7]}\n"
+                     "  - {name: e, type: glass, index: 1.5}\n"
+                     "  - {name: f, type: glass, indices: [1.1, 1.1, 1.3]}\n"
+                     "  - {name: g, type: glass, glass: n-sf11}\n"
+                     "  - {name: h, type: glass, index_d: 1.5168, abbe: 64.17}\n",
         NULL);
     const Material *m = scene->materials;
     assert_int_equal(scene->material_count, 8);
@@ -71,8 +68,7 @@ static void test_materials(void **state)
     assert_near(lobe_above_surface(m[1].lobe, 1), 2 * 3.14159265 / 51, 1e-4); // the whole lobe: 2π/(n+1)
     assert_true(m[2].type == MATERIAL_MIRROR && m[2].specular.r == 1 && m[2].specular.b == 1);
     assert_true(m[3].specular.g == 0.8f);
-    assert_true(m[4].type == MATERIAL_GLASS && m[4].index[0] == 1.5f && m[4].index[2] == 1.5f &&
-                !m[4].disperses);
+    assert_true(m[4].type == MATERIAL_GLASS && m[4].index[0] == 1.5f && m[4].index[2] == 1.5f && !m[4].disperses);
     assert_true(m[5].index[2] == 1.3f && m[5].disperses);
     assert_near(m[6].index[0], 1.781326, 1e-6);
     assert_near(m[6].index[2], 1.813689, 1e-6);
@@ -85,19 +81,19 @@ static void test_lights(void **state)
 {
     (void)state;
     const double pi = 3.14159265358979;
-    Scene *scene = load_text(
-        CAMERA WHITE
-        "lights:\n"
-        "  - {type: sphere, centre: [1, 2, 3], radius: 0.5, radiance: [1, 2, 3]}\n"
-        "  - {type: rectangle, corner: [0, 1, 0], edge_u: [2, 0, 0], edge_v: [1, 0, 3], power: [6, 12, 18]}\n"
-        "  - {type: point, position: [4, 5, 6], power: [1, 2, 3]}\n"
-        "  - {type: spot, position: [0, 3, 0], target: [0, 1, 0], angle: 60, power: [1, 1, 1]}\n"
-        "  - {type: beam, position: [0, 3, 4], target: [0, 0, 0], radius: 0.01, power: [1, 0, 0]}\n"
-        "  - {type: sphere, centre: [1, 2, 3], radius: 2, power: [1, 1, 1]}\n"
-        "shapes:\n"
-        "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: white}\n"
-        "  - {type: rectangle, corner: [0, 0, 0], edge_u: [1, 0, 0], edge_v: [0, 1, 0], material: white}\n",
-        NULL);
+    Scene *scene =
+        load_text(CAMERA WHITE
+                  "lights:\n"
+                  "  - {type: sphere, centre: [1, 2, 3], radius: 0.5, radiance: [1, 2, 3]}\n"
+                  "  - {type: rectangle, corner: [0, 1, 0], edge_u: [2, 0, 0], edge_v: [1, 0, 3], power: [6, 12, 18]}\n"
+                  "  - {type: point, position: [4, 5, 6], power: [1, 2, 3]}\n"
+                  "  - {type: spot, position: [0, 3, 0], target: [0, 1, 0], angle: 60, power: [1, 1, 1]}\n"
+                  "  - {type: beam, position: [0, 3, 4], target: [0, 0, 0], radius: 0.01, power: [1, 0, 0]}\n"
+                  "  - {type: sphere, centre: [1, 2, 3], radius: 2, power: [1, 1, 1]}\n"
+                  "shapes:\n"
+                  "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: white}\n"
+                  "  - {type: rectangle, corner: [0, 0, 0], edge_u: [1, 0, 0], edge_v: [0, 1, 0], material: white}\n",
+                  NULL);
     const Light *l = scene->lights;
     assert_int_equal(scene->light_count, 6);
     assert_near(l[0].area, pi, 1e-6); // 4πr² with r = ½
@@ -132,8 +128,7 @@ static void test_box_scenes(void **state)
 {
     (void)state;
     const char *paths[] = {"scenes/box_diffuse.yaml", "scenes/box_glass.yaml"};
-    const MaterialType left[] = {MATERIAL_DIFFUSE, MATERIAL_MIRROR},
-                       right[] = {MATERIAL_DIFFUSE, MATERIAL_GLASS};
+    const MaterialType left[] = {MATERIAL_DIFFUSE, MATERIAL_MIRROR}, right[] = {MATERIAL_DIFFUSE, MATERIAL_GLASS};
     for (int i = 0; i < 2; i++) {
         Scene *scene = load_file(paths[i]);
         Hit hit;
@@ -162,8 +157,7 @@ static void test_cornell_box(void **state)
     assert_near(scene->lights[0].area, 0.013650, 1e-7);
     for (int j = 0; j < 100; j++)
         for (int i = 0; i < 100; i++) {
-            const Material *material =
-                seen_at(scene, 0.03f + 0.0094f * (float)i, 0.03f + 0.0094f * (float)j, &hit);
+            const Material *material = seen_at(scene, 0.03f + 0.0094f * (float)i, 0.03f + 0.0094f * (float)j, &hit);
             assert_non_null(material);
             assert_true(hit.entering);
         }
@@ -173,9 +167,8 @@ static void test_cornell_box(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_settings),   cmocka_unit_test(test_camera),
-        cmocka_unit_test(test_materials),  cmocka_unit_test(test_lights),
-        cmocka_unit_test(test_box_scenes), cmocka_unit_test(test_cornell_box),
+        cmocka_unit_test(test_settings), cmocka_unit_test(test_camera),     cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_lights),   cmocka_unit_test(test_box_scenes), cmocka_unit_test(test_cornell_box),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

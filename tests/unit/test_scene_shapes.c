@@ -35,8 +35,8 @@ static void test_shapes_are_closed(void **state)
     scene = load_shape("type: box, low: [-1, 2, 3], high: [1, 5, 7], rotate_y: 33");
     assert_near(enclosed_volume(scene), 2 * 3 * 4, 1e-4);
     scene_free(scene);
-    scene = load_shape(
-        "type: prism, apex: [1, 2, 3], axis: [1, 2, 0], down: [0, -3, 1], angle: 60, side: 2, length: 5");
+    scene =
+        load_shape("type: prism, apex: [1, 2, 3], axis: [1, 2, 0], down: [0, -3, 1], angle: 60, side: 2, length: 5");
     assert_int_equal(scene->flat_count, 5);
     assert_near(enclosed_volume(scene), 0.5 * 2 * 2 * sin(3.14159265 / 3) * 5, 1e-4);
     scene_free(scene);
@@ -62,8 +62,7 @@ static void test_prism_place(void **state)
         Vec3 ends[2] = {flat->origin, vec3_add(flat->origin, flat->edge_u)};
         for (int e = 0; e < 2; e++) {
             lowest = vec3(fminf(lowest.x, ends[e].x), fminf(lowest.y, ends[e].y), fminf(lowest.z, ends[e].z));
-            highest =
-                vec3(fmaxf(highest.x, ends[e].x), fmaxf(highest.y, ends[e].y), fmaxf(highest.z, ends[e].z));
+            highest = vec3(fmaxf(highest.x, ends[e].x), fmaxf(highest.y, ends[e].y), fmaxf(highest.z, ends[e].z));
         }
     }
     assert_vector(lowest, -1, 0, -2);
@@ -96,9 +95,7 @@ static Scene *load_mesh(const char *obj, const char *keys)
     fputs(obj, file);
     fclose(file);
     snprintf(text, sizeof text,
-             CAMERA LIGHT WHITE
-             "  - {name: shiny, type: mirror}\nshapes:\n  - {type: mesh, file: mesh.obj%s}\n",
-             keys);
+             CAMERA LIGHT WHITE "  - {name: shiny, type: mirror}\nshapes:\n  - {type: mesh, file: mesh.obj%s}\n", keys);
     Scene *scene = load_text(text, folder);
     unlink(path);
     return scene;

@@ -45,8 +45,7 @@ static void emit_photon_covers_the_light(void **state)
         assert_true(photon.power.r == 3.0f && photon.power.g == 2.0f && photon.power.b == 1.0f);
         assert_true(photon.colour == WHITE && photon.bounce == 0 && photon.path == PATH_DIRECT);
         float w = cosine * cosine;
-        int bin =
-            ((int)(u * SIDE) * SIDE + (int)fminf(v * SIDE, SIDE - 1)) * SIDE + (int)fminf(w * SIDE, SIDE - 1);
+        int bin = ((int)(u * SIDE) * SIDE + (int)fminf(v * SIDE, SIDE - 1)) * SIDE + (int)fminf(w * SIDE, SIDE - 1);
         counts[bin]++;
     }
     for (int i = 0; i < BINS; i++)
@@ -73,8 +72,7 @@ static void scatter_diffuse_is_lambert(void **state)
             assert_true(cosine >= 0.0f);
             assert_within(vec3_length(d), 1.0, 1e-6, "length");
             float turn = atan2f(vec3_dot(d, third), vec3_dot(d, across)) / (2.0f * PI) + 0.5f;
-            int row = (int)fminf(cosine * cosine * SIDE, SIDE - 1),
-                column = (int)fminf(turn * SIDE, SIDE - 1);
+            int row = (int)fminf(cosine * cosine * SIDE, SIDE - 1), column = (int)fminf(turn * SIDE, SIDE - 1);
             counts[row * SIDE + column]++;
         }
         for (int i = 0; i < BINS; i++)
@@ -100,15 +98,13 @@ static void russian_roulette_keeps_the_mean(void **state)
             bool survives = steps.russian_roulette(&power, surface, &rng);
             survivors += survives;
             if (survives)
-                assert_within(colour_sum(power), colour_sum(powers[k]), 1e-5,
-                              "survivors carry the flux that came");
+                assert_within(colour_sum(power), colour_sum(powers[k]), 1e-5, "survivors carry the flux that came");
             for (int c = 0; c < 3; c++)
                 mean_add(&mean[c], survives ? (double)colour_channel(power, c) : 0.0);
         }
         assert_share(survivors, count, survival[k], "survivors");
         for (int c = 0; c < 3; c++)
-            assert_mean(&mean[c], (double)(colour_channel(powers[k], c) * colour_channel(surface, c)),
-                        "mean power");
+            assert_mean(&mean[c], (double)(colour_channel(powers[k], c) * colour_channel(surface, c)), "mean power");
     }
 }
 
@@ -145,8 +141,7 @@ static void refract_obeys_snell(void **state)
         if (sin_t > 1.0)
             continue;
         assert_within(vec3_length(t), 1.0, 1e-6, "length");
-        assert_within(sin(angle_between(t, vec3_negate(n)) / DEGREES), sin_t, 2e-5,
-                      "sine behind the surface");
+        assert_within(sin(angle_between(t, vec3_negate(n)) / DEGREES), sin_t, 2e-5, "sine behind the surface");
         assert_within(vec3_dot(t, vec3_normalize(vec3_cross(d, n))), 0.0, 2e-5, "out of plane");
         assert_true(vec3_dot(t, n) < 0.0f);
     }
@@ -157,14 +152,12 @@ static void refract_reflects_totally(void **state)
 {
     (void)state;
     Vec3 t = {7, 8, 9}, n = {0, 0, 1};
-    Vec3 above = vec3(tilted(41.82).x, 0, -tilted(41.82).z),
-         below = vec3(tilted(41.80).x, 0, -tilted(41.80).z);
+    Vec3 above = vec3(tilted(41.82).x, 0, -tilted(41.82).z), below = vec3(tilted(41.80).x, 0, -tilted(41.80).z);
     assert_false(steps.refract(above, n, 1.5f, &t));
     assert_true(t.x == 7.0f && t.y == 8.0f && t.z == 9.0f);
     assert_within(steps.fresnel(-above.z, 1.5f), 1.0, 0.0, "total reflection");
     assert_true(steps.refract(below, n, 1.5f, &t));
-    assert_within(angle_between(t, vec3(1, 0, 0)), DEGREES * acos(1.5 * sin(41.80 / DEGREES)), 0.01,
-                  "grazing");
+    assert_within(angle_between(t, vec3(1, 0, 0)), DEGREES * acos(1.5 * sin(41.80 / DEGREES)), 0.01, "grazing");
     assert_true(steps.fresnel(-below.z, 1.5f) < 1.0f);
 }
 
@@ -177,8 +170,7 @@ static void fresnel_values(void **state)
     assert_within(steps.fresnel(0.3f, 1.0f), 0.0, 1e-7, "no step in index");
     // Brewster: at tanθ = n only R_s is left, ((n²−1)/(n²+1))²; half of it for unpolarised light.
     double brewster = atan(1.5), r_s = (1.5 * 1.5 - 1.0) / (1.5 * 1.5 + 1.0);
-    assert_within(steps.fresnel((float)cos(brewster), 1.0f / 1.5f), 0.5 * r_s * r_s, 1e-6,
-                  "Brewster's angle");
+    assert_within(steps.fresnel((float)cos(brewster), 1.0f / 1.5f), 0.5 * r_s * r_s, 1e-6, "Brewster's angle");
     // Light that goes the same way backwards is reflected as much.
     for (int degrees = 0; degrees < 90; degrees += 5) {
         double cos_i = cos(degrees / DEGREES), sin_t = sin(degrees / DEGREES) / 1.79;
@@ -217,8 +209,7 @@ static void split_colour_once(void **state)
         assert_int_equal(children[c].colour, RED + c);
         for (int other = 0; other < 3; other++)
             assert_true(colour_channel(children[c].power, other) == (other == c ? 4.0f + (float)c : 0.0f));
-        assert_true(children[c].position.y == 2.0f && children[c].direction.z == 1.0f &&
-                    children[c].bounce == 7);
+        assert_true(children[c].position.y == 2.0f && children[c].direction.z == 1.0f && children[c].bounce == 7);
         assert_int_equal(steps.split_colour(&children[c], &flint, again), 1);
         assert_int_equal(again[0].colour, RED + c);
         assert_memory_equal(&again[0].power, &children[c].power, sizeof(Colour));

@@ -8,22 +8,21 @@
 static Scene *panes(const char *glass)
 {
     char text[2048];
-    snprintf(
-        text, sizeof text,
-        "camera: {position: [0, 0, -1], target: [0, 0, 0], vertical_fov: 40}\n"
-        "render: {depth: 1000}\n"
-        "materials:\n"
-        "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"
-        "  - {name: pane, type: glass, %s}\n"
-        "lights:\n"
-        "  - {type: beam, position: [0, 0, -0.5], target: [0, 0, 0], radius: 0.1, power: [1, 1, 1]}\n"
-        "shapes:\n"
-        "  - {type: box, low: [-1, -1, 0.00], high: [1, 1, 0.01], material: pane}\n"
-        "  - {type: box, low: [-1, -1, 0.02], high: [1, 1, 0.03], material: pane}\n"
-        "  - {type: box, low: [-1, -1, 0.04], high: [1, 1, 0.05], material: pane}\n"
-        "  - {type: box, low: [-1, -1, 0.06], high: [1, 1, 0.07], material: pane}\n"
-        "  - {type: rectangle, corner: [-1, -1, 1], edge_u: [2, 0, 0], edge_v: [0, 2, 0], material: black}\n",
-        glass);
+    snprintf(text, sizeof text,
+             "camera: {position: [0, 0, -1], target: [0, 0, 0], vertical_fov: 40}\n"
+             "render: {depth: 1000}\n"
+             "materials:\n"
+             "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"
+             "  - {name: pane, type: glass, %s}\n"
+             "lights:\n"
+             "  - {type: beam, position: [0, 0, -0.5], target: [0, 0, 0], radius: 0.1, power: [1, 1, 1]}\n"
+             "shapes:\n"
+             "  - {type: box, low: [-1, -1, 0.00], high: [1, 1, 0.01], material: pane}\n"
+             "  - {type: box, low: [-1, -1, 0.02], high: [1, 1, 0.03], material: pane}\n"
+             "  - {type: box, low: [-1, -1, 0.04], high: [1, 1, 0.05], material: pane}\n"
+             "  - {type: box, low: [-1, -1, 0.06], high: [1, 1, 0.07], material: pane}\n"
+             "  - {type: rectangle, corner: [-1, -1, 1], edge_u: [2, 0, 0], edge_v: [0, 2, 0], material: black}\n",
+             glass);
     return scene_from_text(text);
 }
 
@@ -186,8 +185,7 @@ static void loop_and_recursion_agree_without_glass(void **state)
             PhotonPass recursion = photons_of(scene, 20000, 1, (StepChoice){(GlossyModel)glossy, false});
             assert_true(loop.rest.count > 1000);
             assert_int_equal(loop.rest.count, recursion.rest.count);
-            assert_memory_equal(loop.rest.photons, recursion.rest.photons,
-                                loop.rest.count * sizeof(StoredPhoton));
+            assert_memory_equal(loop.rest.photons, recursion.rest.photons, loop.rest.count * sizeof(StoredPhoton));
             photon_pass_free(&loop);
             photon_pass_free(&recursion);
         }
@@ -198,12 +196,9 @@ static void loop_and_recursion_agree_without_glass(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(panes_of_one_index),
-        cmocka_unit_test(panes_of_nearly_one_index),
-        cmocka_unit_test(panes_of_strong_dispersion),
-        cmocka_unit_test(reflected_light_stays_white),
-        cmocka_unit_test(a_grey_room_stays_grey),
-        cmocka_unit_test(loop_and_recursion_agree_without_glass),
+        cmocka_unit_test(panes_of_one_index),         cmocka_unit_test(panes_of_nearly_one_index),
+        cmocka_unit_test(panes_of_strong_dispersion), cmocka_unit_test(reflected_light_stays_white),
+        cmocka_unit_test(a_grey_room_stays_grey),     cmocka_unit_test(loop_and_recursion_agree_without_glass),
     };
     return cmocka_run_group_tests(tests, load_reference_steps, NULL);
 }
