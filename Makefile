@@ -167,7 +167,8 @@ FUZZ_FLAGS = -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
 fuzz:
 	@mkdir -p $(BUILD)/fuzz/corpus_$(READER)
 	clang $(STRICT) -O1 -g -Ilib $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
-	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl
+	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl || \
+	    { echo "Does clang lack its fuzzer? On Debian: apt-get install libclang-rt-$$(clang -dumpversion | cut -d. -f1)-dev"; exit 1; }
 	$(BUILD)/fuzz/fuzz_$(READER) -max_total_time=$(SECONDS) -timeout=10 -max_len=4096 -print_final_stats=1 \
 	    $(patsubst %,-dict=%,$(wildcard tests/fuzz/$(READER).dict)) $(BUILD)/fuzz/corpus_$(READER)
 
