@@ -1,6 +1,5 @@
 #include "cli/cli.h"
 
-#include <getopt.h>
 #include <stdio.h>
 
 static const char help[] = "usage: photonlab bench [SCENE] [flags]\n"
@@ -15,17 +14,6 @@ static const char help[] = "usage: photonlab bench [SCENE] [flags]\n"
                            "  --most N       last row of the table: 10000, 100000, … up to N (1000000)\n"
                            "  --threads T    0: all cores\n"
                            "  --json         one line of JSON: the photon pass on T threads only\n";
-
-enum { PHOTONS = 256, MOST, THREADS };
-
-static const struct option flags[] = {
-    {"photons", required_argument, NULL, PHOTONS},
-    {"most", required_argument, NULL, MOST},
-    {"threads", required_argument, NULL, THREADS},
-    {"json", no_argument, NULL, 'j'},
-    {"help", no_argument, NULL, 'h'},
-    {NULL, 0, NULL, 0},
-};
 
 typedef struct {
     const char *scene;
@@ -134,41 +122,18 @@ static bool print_json(const Scene *scene, const Arguments *a, Error *error)
     return true;
 }
 
-static bool parse_flag(int flag, Arguments *a)
-{
-    switch (flag) {
-    case PHOTONS:
-        return parse_long("bench", "--photons", optarg, 1, MOST_PHOTONS, &a->photons);
-    case MOST:
-        return parse_long("bench", "--most", optarg, 1, MOST_PHOTONS, &a->most);
-    case THREADS:
-        return parse_int("bench", "--threads", optarg, 0, MOST_THREADS, &a->threads);
-    case 'j':
-        a->json = true;
-        return true;
-    }
-    return false;
-}
-
+// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
     *a = (Arguments){"scenes/box_glass.yaml", 1000000, 1000000, 0, false};
-    optind = 1;
-    for (int flag; (flag = getopt_long(count, arguments, "h", flags, NULL)) != -1;) {
-        if (flag == 'h') {
-            fputs(help, stdout);
-            return -1;
-        }
-        if (flag == '?')
-            return report_usage("bench", "see above");
-        if (!parse_flag(flag, a))
-            return EXIT_USAGE;
-    }
-    if (optind + 1 < count)
-        return report_usage("bench", "expected one scene file at most, found %d", count - optind);
-    if (optind < count)
-        a->scene = arguments[optind];
-    return 0;
+    const Flag flags[] = {
+        {"photons", FLAG_LONG, &a->photons, 1, MOST_PHOTONS},
+        {"most", FLAG_LONG, &a->most, 1, MOST_PHOTONS},
+        {"threads", FLAG_INT, &a->threads, 0, MOST_THREADS},
+        {"json", FLAG_PRESENT, &a->json, 0, 0},
+    };
+    return command_line_parse(&(CommandLine){"bench", help, "one scene file at most", flags, FLAG_COUNT(flags), 0, 1},
+                              count, arguments, &a->scene);
 }
 
 int command_bench(int count, char **arguments)
@@ -176,7 +141,7 @@ int command_bench(int count, char **arguments)
     Arguments a;
     int wrong = parse(count, arguments, &a);
     if (wrong)
-        return wrong < 0 ? 0 : wrong;
+        return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
     Scene *scene = NULL;
     if (!steps_load(NULL, &error) || !(scene = scene_load(a.scene, &error)))

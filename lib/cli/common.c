@@ -1,6 +1,7 @@
 #include "cli/cli.h"
 
 #include <errno.h>
+#include <getopt.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -25,51 +26,93 @@ int report_usage(const char *command, const char *format, ...)
     return EXIT_USAGE;
 }
 
-bool parse_long(const char *command, const char *flag, const char *text, long low, long high, long *value)
+static bool parse_whole(const Flag *flag, const char *text, long *value)
 {
     char *end;
     errno = 0;
-    long parsed = strtol(text, &end, 10);
-    if (end == text || *end || errno == ERANGE || parsed < low || parsed > high) {
-        report_usage(command, "%s %s: expected a whole number from %ld to %ld", flag, text, low, high);
-        return false;
-    }
-    *value = parsed;
-    return true;
+    *value = strtol(text, &end, 10);
+    return end != text && !*end && errno == 0 && (double)*value >= flag->low && (double)*value <= flag->high;
 }
 
-bool parse_int(const char *command, const char *flag, const char *text, int low, int high, int *value)
-{
-    long parsed;
-    if (!parse_long(command, flag, text, low, high, &parsed))
-        return false;
-    *value = (int)parsed;
-    return true;
-}
-
-bool parse_float(const char *command, const char *flag, const char *text, float low, float high, float *value)
+static bool parse_float(const Flag *flag, const char *text, float *value)
 {
     char *end;
-    float parsed = strtof(text, &end);
-    if (end == text || *end || !(parsed >= low && parsed <= high)) {
-        report_usage(command, "%s %s: expected a number from %g to %g", flag, text, (double)low, (double)high);
-        return false;
-    }
-    *value = parsed;
-    return true;
+    *value = strtof(text, &end);
+    return end != text && !*end && (double)*value >= flag->low && (double)*value <= flag->high; // NaN is neither
 }
 
-bool parse_seed(const char *command, const char *flag, const char *text, uint64_t *value)
+static bool parse_seed(const char *text, uint64_t *value)
 {
     char *end;
     errno = 0;
-    unsigned long long parsed = strtoull(text, &end, 10);
-    if (end == text || *end || errno == ERANGE || text[0] == '-') {
-        report_usage(command, "%s %s: expected a whole number from 0 to 18446744073709551615", flag, text);
-        return false;
+    *value = strtoull(text, &end, 10);
+    return end != text && !*end && errno == 0 && !strchr(text, '-');
+}
+
+static bool take_flag(const Flag *flag, const char *text)
+{
+    long whole;
+    switch (flag->kind) {
+    case FLAG_PRESENT:
+        *(bool *)flag->value = true;
+        return true;
+    case FLAG_TEXT:
+        *(const char **)flag->value = text;
+        return true;
+    case FLAG_INT:
+        if (!parse_whole(flag, text, &whole))
+            return false;
+        *(int *)flag->value = (int)whole;
+        return true;
+    case FLAG_LONG:
+        return parse_whole(flag, text, flag->value);
+    case FLAG_FLOAT:
+        return parse_float(flag, text, flag->value);
+    case FLAG_SEED:
+        return parse_seed(text, flag->value);
     }
-    *value = parsed;
-    return true;
+    return false;
+}
+
+static int refuse_flag(const char *command, const Flag *flag, const char *text)
+{
+    if (flag->kind == FLAG_SEED)
+        return report_usage(command, "--%s %s: expected a whole number from 0 to 18446744073709551615", flag->name,
+                            text);
+    return report_usage(command, "--%s %s: expected a %s from %.10g to %.10g", flag->name, text,
+                        flag->kind == FLAG_FLOAT ? "number" : "whole number", flag->low, flag->high);
+}
+
+int command_line_parse(const CommandLine *line, int count, char **arguments, const char **files)
+{
+    struct option options[MOST_FLAGS + 2] = {{"help", no_argument, NULL, 'h'}};
+    for (int i = 0; i < line->flag_count && i < MOST_FLAGS; i++) {
+        const Flag *flag = &line->flags[i];
+        options[i + 1] =
+            (struct option){flag->name, flag->kind == FLAG_PRESENT ? no_argument : required_argument, NULL, 256 + i};
+    }
+    optind = 1;
+    for (int found; (found = getopt_long(count, arguments, "o:h", options, NULL)) != -1;) {
+        if (found == 'h') {
+            fputs(line->help, stdout);
+            return HELP_SHOWN;
+        }
+        if (found == '?')
+            return report_usage(line->command, "see above");
+        int i = found - 256;
+        for (int j = 0; found == 'o' && j < line->flag_count; j++)
+            i = strcmp(line->flags[j].name, "o") == 0 ? j : i;
+        if (i < 0)
+            return report_usage(line->command, "writes no file; -o has no meaning here");
+        if (!take_flag(&line->flags[i], optarg))
+            return refuse_flag(line->command, &line->flags[i], optarg);
+    }
+    int given = count - optind;
+    if (given < line->least || given > line->most)
+        return report_usage(line->command, "expected %s, found %d", line->files, given);
+    for (int i = 0; i < given; i++)
+        files[i] = arguments[optind + i];
+    return 0;
 }
 
 static void draw_bar(void *user, const char *phase, double fraction)

@@ -1,6 +1,5 @@
 #include "cli/cli.h"
 
-#include <getopt.h>
 #include <stdio.h>
 
 static const char help[] =
@@ -15,61 +14,37 @@ static const char help[] =
     "  --mask X0,Y0,X1,Y1   leave out columns X0 ≤ x < X1, rows Y0 ≤ y < Y1 (a visible light, say)\n"
     "  --json               one line of JSON instead\n";
 
-enum { SCALE = 256, MASK };
-
-static const struct option flags[] = {
-    {"scale", required_argument, NULL, SCALE}, {"mask", required_argument, NULL, MASK},
-    {"json", no_argument, NULL, 'j'},          {"output", required_argument, NULL, 'o'},
-    {"help", no_argument, NULL, 'h'},          {NULL, 0, NULL, 0},
-};
-
 typedef struct {
-    const char *image, *reference, *out;
+    const char *files[2]; // picture and reference
+    const char *out;
     ImageMask mask;
     float scale;
     bool json;
 } Arguments;
 
-static bool parse_flag(int flag, Arguments *a)
+static bool parse_mask(const char *text, ImageMask *m)
 {
-    ImageMask *m = &a->mask;
     char after;
-    switch (flag) {
-    case 'o':
-        a->out = optarg;
-        return true;
-    case 'j':
-        a->json = true;
-        return true;
-    case SCALE:
-        return parse_float("diff", "--scale", optarg, 0.0f, 1e30f, &a->scale);
-    case MASK:
-        if (sscanf(optarg, "%d,%d,%d,%d%c", &m->x0, &m->y0, &m->x1, &m->y1, &after) == 4)
-            return true;
-        report_usage("diff", "--mask %s: expected four whole numbers X0,Y0,X1,Y1", optarg);
-        return false;
-    }
-    return false;
+    return sscanf(text, "%d,%d,%d,%d%c", &m->x0, &m->y0, &m->x1, &m->y1, &after) == 4;
 }
 
+// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
-    *a = (Arguments){NULL, NULL, NULL, {0, 0, 0, 0}, 0.0f, false};
-    optind = 1;
-    for (int flag; (flag = getopt_long(count, arguments, "o:h", flags, NULL)) != -1;) {
-        if (flag == 'h') {
-            fputs(help, stdout);
-            return -1;
-        }
-        if (flag == '?')
-            return report_usage("diff", "see above");
-        if (!parse_flag(flag, a))
-            return EXIT_USAGE;
-    }
-    if (optind + 2 != count)
-        return report_usage("diff", "expected two pictures, found %d", count - optind);
-    a->image = arguments[optind];
-    a->reference = arguments[optind + 1];
+    *a = (Arguments){.out = NULL};
+    const char *mask = NULL;
+    const Flag flags[] = {
+        {"o", FLAG_TEXT, &a->out, 0, 0},
+        {"scale", FLAG_FLOAT, &a->scale, 0, 1e30},
+        {"mask", FLAG_TEXT, &mask, 0, 0},
+        {"json", FLAG_PRESENT, &a->json, 0, 0},
+    };
+    int wrong = command_line_parse(&(CommandLine){"diff", help, "two pictures", flags, FLAG_COUNT(flags), 2, 2}, count,
+                                   arguments, a->files);
+    if (wrong)
+        return wrong;
+    if (mask && !parse_mask(mask, &a->mask))
+        return report_usage("diff", "--mask %s: expected four whole numbers X0,Y0,X1,Y1", mask);
     Error error = {""};
     if (a->out && !image_path_is_known(a->out, &error))
         return report_usage("diff", "%s", error.message);
@@ -97,7 +72,7 @@ static void print_table(const ImageDifference *d)
 static bool compare(const Arguments *a, Image *image, Image *reference, Image *picture, Error *error)
 {
     ImageDifference difference;
-    if (!image_read(image, a->image, error) || !image_read(reference, a->reference, error) ||
+    if (!image_read(image, a->files[0], error) || !image_read(reference, a->files[1], error) ||
         !image_difference(image, reference, a->mask, &difference, error))
         return false;
     if (a->out &&
@@ -115,7 +90,7 @@ int command_diff(int count, char **arguments)
     Arguments a;
     int wrong = parse(count, arguments, &a);
     if (wrong)
-        return wrong < 0 ? 0 : wrong;
+        return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
     Image image = {0, 0, NULL};
     Image reference = {0, 0, NULL};

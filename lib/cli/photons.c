@@ -1,7 +1,6 @@
 #include "cli/cli.h"
 #include "photons/photon_file.h"
 
-#include <getopt.h>
 #include <stdio.h>
 
 static const char help[] = "usage: photonlab photons SCENE -o OUT.ply|OUT.csv [flags]\n"
@@ -20,22 +19,6 @@ static const char help[] = "usage: photonlab photons SCENE -o OUT.ply|OUT.csv [f
                            "  --quiet        no progress and no summary\n"
                            "  --json         one line of JSON on standard output\n";
 
-enum { PHOTONS = 256, SEED, DEPTH, THREADS, CODE, STEPS };
-
-static const struct option flags[] = {
-    {"photons", required_argument, NULL, PHOTONS},
-    {"seed", required_argument, NULL, SEED},
-    {"depth", required_argument, NULL, DEPTH},
-    {"threads", required_argument, NULL, THREADS},
-    {"code", required_argument, NULL, CODE},
-    {"steps", required_argument, NULL, STEPS},
-    {"quiet", no_argument, NULL, 'q'},
-    {"json", no_argument, NULL, 'j'},
-    {"output", required_argument, NULL, 'o'},
-    {"help", no_argument, NULL, 'h'},
-    {NULL, 0, NULL, 0},
-};
-
 typedef struct {
     const char *scene, *out, *code;
     long photons; // 0: as the scene says
@@ -45,55 +28,32 @@ typedef struct {
     PhotonPassOptions options;
 } Arguments;
 
-static bool parse_flag(int flag, Arguments *a)
-{
-    Error error = {""};
-    switch (flag) {
-    case 'o':
-        a->out = optarg;
-        return photon_file_path_is_known(optarg, &error) || (report_usage("photons", "%s", error.message), false);
-    case PHOTONS:
-        return parse_long("photons", "--photons", optarg, 1, MOST_PHOTONS, &a->photons);
-    case SEED:
-        return parse_seed("photons", "--seed", optarg, &a->options.seed);
-    case DEPTH:
-        return parse_int("photons", "--depth", optarg, 1, MOST_DEPTH, &a->depth);
-    case THREADS:
-        return parse_int("photons", "--threads", optarg, 0, MOST_THREADS, &a->options.threads);
-    case CODE:
-        a->code = optarg;
-        return true;
-    case STEPS:
-        return step_choice_parse(optarg, &a->play, &error) || (report_usage("photons", "%s", error.message), false);
-    case 'q':
-        a->quiet = true;
-        return true;
-    case 'j':
-        a->json = true;
-        return true;
-    }
-    return false;
-}
-
-// 0 when the arguments are right; -1 when help was printed; otherwise the exit code.
+// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
     *a = (Arguments){.options = {.seed = 1, .keep = KEEP_ALL}};
-    optind = 1;
-    for (int flag; (flag = getopt_long(count, arguments, "o:h", flags, NULL)) != -1;) {
-        if (flag == 'h') {
-            fputs(help, stdout);
-            return -1;
-        }
-        if (flag == '?')
-            return report_usage("photons", "see above");
-        if (!parse_flag(flag, a))
-            return EXIT_USAGE;
-    }
-    if (optind + 1 != count)
-        return report_usage("photons", "expected one scene file, found %d", count - optind);
-    a->scene = arguments[optind];
-    return a->out ? 0 : report_usage("photons", "say where to write the photons: -o OUT.ply");
+    const char *steps_text = NULL;
+    const Flag flags[] = {
+        {"o", FLAG_TEXT, &a->out, 0, 0},
+        {"photons", FLAG_LONG, &a->photons, 1, MOST_PHOTONS},
+        {"seed", FLAG_SEED, &a->options.seed, 0, 0},
+        {"depth", FLAG_INT, &a->depth, 1, MOST_DEPTH},
+        {"threads", FLAG_INT, &a->options.threads, 0, MOST_THREADS},
+        {"code", FLAG_TEXT, &a->code, 0, 0},
+        {"steps", FLAG_TEXT, &steps_text, 0, 0},
+        {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
+        {"json", FLAG_PRESENT, &a->json, 0, 0},
+    };
+    int wrong = command_line_parse(&(CommandLine){"photons", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
+                                   count, arguments, &a->scene);
+    if (wrong)
+        return wrong;
+    if (!a->out)
+        return report_usage("photons", "say where to write the photons: -o OUT.ply");
+    Error error = {""};
+    if (!photon_file_path_is_known(a->out, &error) || (steps_text && !step_choice_parse(steps_text, &a->play, &error)))
+        return report_usage("photons", "%s", error.message);
+    return 0;
 }
 
 static void print_json(const PhotonPass *pass)
@@ -109,7 +69,7 @@ int command_photons(int count, char **arguments)
     Arguments a;
     int wrong = parse(count, arguments, &a);
     if (wrong)
-        return wrong < 0 ? 0 : wrong;
+        return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
     Scene *scene = NULL;
     if (!steps_load(a.code, &error) || !(scene = scene_load(a.scene, &error)))

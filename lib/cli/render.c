@@ -1,6 +1,5 @@
 #include "cli/cli.h"
 
-#include <getopt.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -32,77 +31,11 @@ static const char help[] =
 
 typedef struct {
     const char *scene, *out, *code, *size, *integrator, *steps;
-    // Texts until the scene is loaded, whose settings they replace.
-    const char *photons, *k, *radius, *samples, *depth;
+    RenderSettings settings; // 0 or −1 where the scene's own stand
     int bits;
     bool quiet, json;
     RenderOptions options;
 } Arguments;
-
-enum { BITS = 256, INTEGRATOR, PHOTONS, K, RADIUS, SAMPLES, SIZE, DEPTH, SEED, THREADS, REUSE, CODE, STEPS, SIDES };
-
-static const struct option flags[] = {
-    {"bits", required_argument, NULL, BITS},
-    {"integrator", required_argument, NULL, INTEGRATOR},
-    {"photons", required_argument, NULL, PHOTONS},
-    {"k", required_argument, NULL, K},
-    {"radius", required_argument, NULL, RADIUS},
-    {"samples", required_argument, NULL, SAMPLES},
-    {"size", required_argument, NULL, SIZE},
-    {"depth", required_argument, NULL, DEPTH},
-    {"seed", required_argument, NULL, SEED},
-    {"threads", required_argument, NULL, THREADS},
-    {"reuse", required_argument, NULL, REUSE},
-    {"code", required_argument, NULL, CODE},
-    {"steps", required_argument, NULL, STEPS},
-    {"glass-sides", required_argument, NULL, SIDES},
-    {"quiet", no_argument, NULL, 'q'},
-    {"json", no_argument, NULL, 'j'},
-    {"output", required_argument, NULL, 'o'},
-    {"help", no_argument, NULL, 'h'},
-    {NULL, 0, NULL, 0},
-};
-
-static bool parse_flag(int flag, Arguments *a)
-{
-    RenderOptions *options = &a->options;
-    const char **text = flag == 'o'          ? &a->out
-                        : flag == INTEGRATOR ? &a->integrator
-                        : flag == PHOTONS    ? &a->photons
-                        : flag == K          ? &a->k
-                        : flag == RADIUS     ? &a->radius
-                        : flag == SAMPLES    ? &a->samples
-                        : flag == SIZE       ? &a->size
-                        : flag == DEPTH      ? &a->depth
-                        : flag == CODE       ? &a->code
-                        : flag == STEPS      ? &a->steps
-                                             : NULL;
-    if (text) {
-        *text = optarg;
-        return true;
-    }
-    switch (flag) {
-    case BITS:
-        return parse_int("render", "--bits", optarg, 8, 16, &a->bits) &&
-               (a->bits == 8 || a->bits == 16 ||
-                (report_usage("render", "--bits %s: expected 8 or 16", optarg), false));
-    case SEED:
-        return parse_seed("render", "--seed", optarg, &options->seed);
-    case THREADS:
-        return parse_int("render", "--threads", optarg, 0, MOST_THREADS, &options->threads);
-    case REUSE:
-        return parse_float("render", "--reuse", optarg, 0.0f, 1.0f, &options->reuse);
-    case SIDES:
-        return parse_int("render", "--glass-sides", optarg, 1, 2, &options->glass_sides);
-    case 'q':
-        a->quiet = true;
-        return true;
-    case 'j':
-        a->json = true;
-        return true;
-    }
-    return false;
-}
 
 static bool parse_integrator(const char *name, Integrator *integrator)
 {
@@ -126,48 +59,66 @@ static bool parse_size(const char *text, int *width, int *height)
     return false;
 }
 
-// Checks the flags that replace the scene's settings, before the scene is loaded (settings: NULL) and puts them in
-// after.
-static bool apply_settings(const Arguments *a, RenderSettings *settings)
-{
-    RenderSettings scratch;
-    RenderSettings *to = settings ? settings : &scratch;
-    return (!a->photons || parse_long("render", "--photons", a->photons, 1, MOST_PHOTONS, &to->photons)) &&
-           (!a->k || parse_int("render", "--k", a->k, 1, MOST_K, &to->k)) &&
-           (!a->radius || parse_float("render", "--radius", a->radius, 0.0f, 1e30f, &to->radius)) &&
-           (!a->samples || parse_int("render", "--samples", a->samples, 1, MOST_SAMPLES, &to->samples)) &&
-           (!a->depth || parse_int("render", "--depth", a->depth, 1, MOST_DEPTH, &to->depth)) &&
-           (!a->size || parse_size(a->size, &to->width, &to->height));
-}
-
-// 0 when the arguments are right; -1 when help was printed; otherwise the exit code.
+// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
-    *a = (Arguments){.bits = 8, .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
-    optind = 1;
-    for (int flag; (flag = getopt_long(count, arguments, "o:h", flags, NULL)) != -1;) {
-        if (flag == 'h') {
-            fputs(help, stdout);
-            return -1;
-        }
-        if (flag == '?')
-            return report_usage("render", "see above");
-        if (!parse_flag(flag, a))
-            return EXIT_USAGE;
-    }
-    if (optind + 1 != count)
-        return report_usage("render", "expected one scene file, found %d", count - optind);
-    a->scene = arguments[optind];
+    *a = (Arguments){
+        .bits = 8, .settings = {.radius = -1.0f}, .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
+    const Flag flags[] = {
+        {"o", FLAG_TEXT, &a->out, 0, 0},
+        {"bits", FLAG_INT, &a->bits, 8, 16},
+        {"integrator", FLAG_TEXT, &a->integrator, 0, 0},
+        {"photons", FLAG_LONG, &a->settings.photons, 1, MOST_PHOTONS},
+        {"k", FLAG_INT, &a->settings.k, 1, MOST_K},
+        {"radius", FLAG_FLOAT, &a->settings.radius, 0, 1e30},
+        {"samples", FLAG_INT, &a->settings.samples, 1, MOST_SAMPLES},
+        {"size", FLAG_TEXT, &a->size, 0, 0},
+        {"depth", FLAG_INT, &a->settings.depth, 1, MOST_DEPTH},
+        {"seed", FLAG_SEED, &a->options.seed, 0, 0},
+        {"threads", FLAG_INT, &a->options.threads, 0, MOST_THREADS},
+        {"reuse", FLAG_FLOAT, &a->options.reuse, 0, 1},
+        {"code", FLAG_TEXT, &a->code, 0, 0},
+        {"steps", FLAG_TEXT, &a->steps, 0, 0},
+        {"glass-sides", FLAG_INT, &a->options.glass_sides, 1, 2},
+        {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
+        {"json", FLAG_PRESENT, &a->json, 0, 0},
+    };
+    int wrong = command_line_parse(&(CommandLine){"render", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
+                                   count, arguments, &a->scene);
+    if (wrong)
+        return wrong;
+    if (a->bits != 8 && a->bits != 16)
+        return report_usage("render", "--bits %d: expected 8 or 16", a->bits);
     if (!a->out)
         return report_usage("render", "say where to write the picture: -o OUT.png");
     Error error = {""};
-    if (!image_path_is_known(a->out, &error))
+    if (!image_path_is_known(a->out, &error) || (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
         return report_usage("render", "%s", error.message);
-    if (a->steps && !step_choice_parse(a->steps, &a->options.play, &error))
-        return report_usage("render", "%s", error.message);
-    if (a->integrator && !parse_integrator(a->integrator, &a->options.integrator))
+    if ((a->integrator && !parse_integrator(a->integrator, &a->options.integrator)) ||
+        (a->size && !parse_size(a->size, &a->settings.width, &a->settings.height)))
         return EXIT_USAGE;
-    return apply_settings(a, NULL) ? 0 : EXIT_USAGE;
+    return 0;
+}
+
+// The scene's settings, but for those that flags replace.
+static RenderSettings settings_of(const Scene *scene, const RenderSettings *flags)
+{
+    RenderSettings settings = scene->settings;
+    if (flags->width) {
+        settings.width = flags->width;
+        settings.height = flags->height;
+    }
+    if (flags->samples)
+        settings.samples = flags->samples;
+    if (flags->photons)
+        settings.photons = flags->photons;
+    if (flags->k)
+        settings.k = flags->k;
+    if (flags->radius >= 0.0f)
+        settings.radius = flags->radius;
+    if (flags->depth)
+        settings.depth = flags->depth;
+    return settings;
 }
 
 static void print_json(const RenderStats *s)
@@ -191,15 +142,14 @@ int command_render(int count, char **arguments)
     Arguments a;
     int wrong = parse(count, arguments, &a);
     if (wrong)
-        return wrong < 0 ? 0 : wrong;
+        return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
     if ((a.code || a.options.integrator != INTEGRATOR_PATH) && !steps_load(a.code, &error))
         return report_error(&error);
     Scene *scene = scene_load(a.scene, &error);
     if (!scene)
         return report_error(&error);
-    a.options.settings = scene->settings;
-    apply_settings(&a, &a.options.settings);
+    a.options.settings = settings_of(scene, &a.settings);
     parallel_limit(a.options.threads);
 
     ProgressBar bar;
