@@ -93,7 +93,7 @@ $(BUILD)/make_meshes: scenes/make_meshes.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(STRICT) -O2 $< -o $@ -lm
 
-scenes/meshes/%.obj: | $(BUILD)/make_meshes
+scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
 	@mkdir -p $(@D)
 	$(Q)$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
 
@@ -165,6 +165,7 @@ READER  ?= scene
 SECONDS ?= 60
 FUZZ_FLAGS = -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
 fuzz:
+	@test -f tests/fuzz/fuzz_$(READER).c || { echo "READER is scene, obj, png or pfm"; exit 1; }
 	@mkdir -p $(BUILD)/fuzz/corpus_$(READER)
 	clang $(STRICT) -O1 -g -Ilib $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
 	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl || \

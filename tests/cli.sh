@@ -44,6 +44,10 @@ expect 2 "--radius inf" "$program" render $scene -o "$work/a.png" --radius inf
 expect 2 "--size 12: expected WIDTHxHEIGHT" "$program" render $scene -o "$work/a.png" --size 12
 expect 2 "--size 0x5" "$program" render $scene -o "$work/a.png" --size 0x5
 expect 2 "--seed -1" "$program" render $scene -o "$work/a.png" --seed -1
+expect 2 "no choice \`\`" "$program" render $scene -o "$work/a.png" --steps ""
+expect 2 "no choice \`2.4\`" "$program" render $scene -o "$work/a.png" --steps 2.3,2.4
+expect 2 "path tracer knows whole glass only" "$program" render $scene -o "$work/a.png" --integrator path --glass-sides 1
+expect 2 "no such flag, or its value is missing" "$program" render $scene -o "$work/a.png" --photons
 expect 2 "no choice \`4.2\`" "$program" render $scene -o "$work/a.png" --steps 4.2
 expect 2 "--integrator magic: expected photons" "$program" render $scene -o "$work/a.png" --integrator magic
 expect 2 "--glass-sides 3" "$program" render $scene -o "$work/a.png" --glass-sides 3
@@ -71,24 +75,28 @@ expect 0 "mean ratio" "$program" diff "$work/a.pfm" "$work/b.pfm" -o "$work/d.pn
 expect 0 '"relmse_trimmed":0' "$program" diff "$work/a.pfm" "$work/a.pfm" --json
 expect 0 "" "$program" photons $scene -o "$work/p.ply" --photons 500
 expect 0 "" "$program" photons $scene -o "$work/p.csv" --photons 500
-expect 0 "your code plays: nothing yet" "$program" render $scene $quick -o "$work/c.png" --code "$work/nowhere"
 
 # Every photon is in both files.
 stored=$(($(wc -l <"$work/p.csv") - 1))
 if grep -aq "element vertex $stored" "$work/p.ply"; then good "PLY and CSV hold the same $stored photons"; else bad "PLY and CSV differ in count"; fi
 
-# A student's step plays; the rest is the reference's. A stub counts as not started.
-mkdir -p "$work/code/1_diffuse_photon_map"
-cat >"$work/absorb.c" <<'C'
-#include "photonlab.h"
+# A student's step plays; the rest is the reference's. A stub counts as not started, a variable called todo does not.
+stage1=$work/code/1_diffuse_photon_map
+mkdir -p "$stage1" "$work/empty"
+# student STEP: reads a function's source and builds it.
+student() {
+    { echo '#include "photonlab.h"'; cat; } >"$work/step.c"
+    ${CC:-cc} -std=c99 -g -shared -fPIC -Ilib "$work/step.c" -o "$stage1/$1.so"
+}
+student 1.4_russian_roulette <<'C'
 bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
 {
-    (void)power, (void)reflectance, (void)rng;
-    return false;
+    float todo = rng_float(rng);
+    (void)power, (void)reflectance;
+    return todo > 2.0f;
 }
 C
-cat >"$work/stub.c" <<'C'
-#include "photonlab.h"
+student 1.1_reflect <<'C'
 Vec3 reflect(Vec3 direction, Vec3 normal)
 {
     (void)normal;
@@ -96,11 +104,56 @@ Vec3 reflect(Vec3 direction, Vec3 normal)
     return direction;
 }
 C
-compile="${CC:-cc} -std=c99 -shared -fPIC -Ilib"
-$compile "$work/absorb.c" -o "$work/code/1_diffuse_photon_map/1.4_russian_roulette.so"
-$compile "$work/stub.c" -o "$work/code/1_diffuse_photon_map/1.1_reflect.so"
-expect 0 "your code plays: 1.4;" "$program" render scenes/box_diffuse.yaml $quick -o "$work/c.png" --code "$work/code" --json
+play="$program render scenes/box_diffuse.yaml $quick -o $work/c.png --code $work/code"
+expect 0 "your code plays: 1.4" $play --json
 if grep -q '"photons_stored":0,' "$work/out"; then good "photons that all die leave no indirect light"; else bad "the student's step was not played"; fi
-echo 'not an object' >"$work/code/1_diffuse_photon_map/1.4_russian_roulette.so"
-expect 1 "step 1.4: cannot load" "$program" render $scene $quick -o "$work/c.png" --code "$work/code"
+if grep -q 'still calling todo(): 1.1' "$work/err"; then good "a stub is named"; else bad "a stub is not named"; fi
+expect 0 "the path tracer plays no step" $play --integrator path
+expect 0 "your code plays: nothing yet" "$program" render $scene $quick -o "$work/c.png" --code "$work/empty"
+expect 1 "is no directory of steps" "$program" render $scene $quick -o "$work/c.png" --code "$work/nowhere"
+expect 1 "is no directory of steps" "$program" render $scene $quick -o "$work/c.png" --code "$work/a.png"
+
+# The loop of step 1.5 plays by itself while there is no 3.4.
+student 1.5_trace_photon <<'C'
+void trace_photon(PhotonTrace *trace, Photon photon, Rng *rng)
+{
+    (void)trace, (void)photon, (void)rng;
+}
+C
+expect 0 "your code plays: 1.4 1.5" $play
+expect 0 "built, but not played (see --steps): 1.5" $play --steps 3.4
+rm "$stage1/1.5_trace_photon.so"
+
+# What a wrong step does is said.
+student 1.4_russian_roulette <<'C'
+bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
+{
+    *power = colour_scale(colour_mul(*power, reflectance), 2.0f);
+    return rng_float(rng) < 0.9f;
+}
+C
+expect 0 "energy: of 8.237 W of red light, bounces won" $play
+student 1.4_russian_roulette <<'C'
+bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
+{
+    (void)reflectance;
+    *power = colour_grey(NAN);
+    return rng_float(rng) < 0.7f;
+}
+C
+expect 1 "one of your steps may have returned NaN" $play
+rm "$stage1/1.4_russian_roulette.so"
+student 1.3_scatter_diffuse <<'C'
+Vec3 scatter_diffuse(Vec3 normal, Rng *rng)
+{
+    return vec3_scale(normal, rng_float(rng) < 0.5f ? 2.0f : NAN);
+}
+C
+expect 0 "a direction that is not of unit length" $play
+rm "$stage1/1.3_scatter_diffuse.so"
+
+echo 'not an object' >"$stage1/1.4_russian_roulette.so"
+expect 1 "step 1.4: cannot load" $play
+mv "$stage1/1.4_russian_roulette.so" "$stage1/1.4_russian_roulete.so"
+expect 1 "1.4_russian_roulete.so: no step has this name" $play
 finish

@@ -10,14 +10,27 @@ other=$2
 same() {
     local name=$1 ending=$2
     shift 2
+    rm -f "$work"/one* "$work"/many* "$work"/other*
     "$ours" "$@" --quiet --threads 1 -o "$work/one$ending" || { bad "$name: does not run"; return; }
     local t
     for t in 2 7; do
+        rm -f "$work/many$ending"
         "$ours" "$@" --quiet --threads $t -o "$work/many$ending"
-        if cmp -s "$work/one$ending" "$work/many$ending"; then good "$name: 1 and $t threads"; else bad "$name: 1 and $t threads differ"; fi
+        compare $? "$work/one$ending" "$work/many$ending" "$name: 1 and $t threads"
     done
     "$other" "$@" --quiet --threads 2 -o "$work/other$ending"
-    if cmp -s "$work/one$ending" "$work/other$ending"; then good "$name: gcc and clang"; else bad "$name: gcc and clang differ"; fi
+    compare $? "$work/one$ending" "$work/other$ending" "$name: gcc and clang"
+}
+
+# compare CODE ONE OTHER NAME: did the run that wrote the other file end with 0, and are both the same?
+compare() {
+    if [ "$1" != 0 ]; then
+        bad "$4: exit code $1"
+    elif cmp -s "$2" "$3"; then
+        good "$4"
+    else
+        bad "$4 differ"
+    fi
 }
 
 for scene in box_glass box_glossy box_dispersion diamond cornell_box; do

@@ -60,8 +60,14 @@ typedef struct {
 Progress progress_bar_start(ProgressBar *bar, bool quiet);
 void progress_bar_end(ProgressBar *bar);
 
-// Says which steps the student's code plays and which the reference, and what gave up.
-void report_steps(const char *code_dir);
+// Before the work: which steps the student's code plays, and which are there but do not play.
+void report_steps(StepChoice choice, bool path_tracer);
+
+// After it: what right steps never do. Lobes redrawn too often, directions of no length, flux from nowhere.
+void report_oddities(const Ledger *ledger, long unsound);
+
+// After a picture that could not be written: where a value that is no number may have come from.
+void report_suspects(StepChoice choice);
 
 void print_ledger_json(const Ledger *ledger);
 

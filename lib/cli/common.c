@@ -92,13 +92,14 @@ int command_line_parse(const CommandLine *line, int count, char **arguments, con
             (struct option){flag->name, flag->kind == FLAG_PRESENT ? no_argument : required_argument, NULL, 256 + i};
     }
     optind = 1;
+    opterr = 0; // the messages are ours
     for (int found; (found = getopt_long(count, arguments, "o:h", options, NULL)) != -1;) {
         if (found == 'h') {
             fputs(line->help, stdout);
             return HELP_SHOWN;
         }
         if (found == '?')
-            return report_usage(line->command, "see above");
+            return report_usage(line->command, "%s: no such flag, or its value is missing", arguments[optind - 1]);
         int i = found - 256;
         for (int j = 0; found == 'o' && j < line->flag_count; j++)
             i = strcmp(line->flags[j].name, "o") == 0 ? j : i;
@@ -153,22 +154,59 @@ void progress_bar_end(ProgressBar *bar)
         fprintf(stderr, "\r%70s\r", "");
 }
 
-void report_steps(const char *code_dir)
+// Prints the ids of the steps in this state that play, or do not; how many.
+static int print_ids(StepState state, bool played, StepChoice choice, const char *title)
 {
-    if (code_dir) {
-        fprintf(stderr, "your code plays:");
-        bool any = false;
-        for (size_t i = 0; i < STEP_COUNT; i++)
-            if (step_states[i] == STEP_STUDENT) {
-                fprintf(stderr, " %s", step_table[i].id);
-                any = true;
-            }
-        fprintf(stderr, "%s; the reference plays the rest (not started, or not in %s)\n", any ? "" : " nothing yet",
-                code_dir);
+    int count = 0;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (step_states[i] == state && step_is_played(&step_table[i], choice) == played)
+            fprintf(stderr, "%s %s", count++ == 0 ? title : "", step_table[i].id);
+    if (count > 0)
+        fprintf(stderr, "\n");
+    return count;
+}
+
+void report_steps(StepChoice choice, bool path_tracer)
+{
+    if (path_tracer) {
+        fprintf(stderr, "the path tracer plays no step: --code has no effect\n");
+        return;
     }
+    if (print_ids(STEP_STUDENT, true, choice, "your code plays:") == 0)
+        fprintf(stderr, "your code plays: nothing yet\n");
+    print_ids(STEP_STUDENT, false, choice, "built, but not played (see --steps):");
+    print_ids(STEP_NOT_STARTED, true, choice, "not started, still calling todo():");
+    print_ids(STEP_NOT_STARTED, false, choice, "not started, still calling todo(), and not played:");
+    fprintf(stderr, "the reference plays the rest\n");
+}
+
+void report_suspects(StepChoice choice)
+{
+    print_ids(STEP_STUDENT, true, choice,
+              "one of your steps may have returned NaN (0/0, or the root of a negative number):");
+}
+
+void report_oddities(const Ledger *ledger, long unsound)
+{
+    static const char *const names[] = {"red", "green", "blue"};
     if (redraw_cap_count() > 0)
         fprintf(stderr, "step 2.3: %ld photons were dropped after %d redraws of the lobe\n", redraw_cap_count(),
                 MAX_LOBE_TRIES);
+    if (unsound > 0)
+        fprintf(stderr, "%ld paths ended since a step gave a direction that is not of unit length (NaN, say)\n",
+                unsound);
+    for (int c = 0; c < 3; c++) {
+        double error = ledger->chance_error[c];
+        // Rounding alone moves the sum by a millionth.
+        if (fabs(ledger->chance[c]) <= 5.0 * error + 1e-6 * ledger->emitted[c])
+            continue;
+        fprintf(
+            stderr,
+            "energy: of %.4g W of %s light, bounces won %.4g W by chance, where 0 ± %.2g is right. A step's weight or "
+            "probability is off\n",
+            ledger->emitted[c], names[c], -ledger->chance[c], error);
+        return;
+    }
 }
 
 static void print_channels(const char *name, const double value[3])

@@ -20,7 +20,7 @@ static const char help[] = "usage: photonlab photons SCENE -o OUT.ply|OUT.csv [f
                            "  --json         one line of JSON on standard output\n";
 
 typedef struct {
-    const char *scene, *out, *code;
+    const char *scene, *out, *code, *steps;
     long photons; // 0: as the scene says
     int depth;    // 0: as the scene says
     bool quiet, json;
@@ -32,7 +32,6 @@ typedef struct {
 static int parse(int count, char **arguments, Arguments *a)
 {
     *a = (Arguments){.options = {.seed = 1, .keep = KEEP_ALL}};
-    const char *steps_text = NULL;
     const Flag flags[] = {
         {"o", FLAG_TEXT, &a->out, 0, 0},
         {"photons", FLAG_LONG, &a->photons, 1, MOST_PHOTONS},
@@ -40,7 +39,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"depth", FLAG_INT, &a->depth, 1, MOST_DEPTH},
         {"threads", FLAG_INT, &a->options.threads, 0, MOST_THREADS},
         {"code", FLAG_TEXT, &a->code, 0, 0},
-        {"steps", FLAG_TEXT, &steps_text, 0, 0},
+        {"steps", FLAG_TEXT, &a->steps, 0, 0},
         {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
     };
@@ -51,15 +50,17 @@ static int parse(int count, char **arguments, Arguments *a)
     if (!a->out)
         return report_usage("photons", "say where to write the photons: -o OUT.ply");
     Error error = {""};
-    if (!photon_file_path_is_known(a->out, &error) || (steps_text && !step_choice_parse(steps_text, &a->play, &error)))
+    if (!photon_file_path_is_known(a->out, &error) || (a->steps && !step_choice_parse(a->steps, &a->play, &error)))
         return report_usage("photons", "%s", error.message);
     return 0;
 }
 
 static void print_json(const PhotonPass *pass)
 {
-    printf("{\"photons_emitted\":%ld,\"photons_stored\":%zu,\"rays\":%llu,\"seconds\":%.6f,\"redraw_caps\":%ld,",
-           pass->emitted, pass->stored, (unsigned long long)pass->segments, pass->seconds, redraw_cap_count());
+    printf("{\"photons_emitted\":%ld,\"photons_stored\":%zu,\"rays\":%llu,\"seconds\":%.6f,\"redraw_caps\":%ld,"
+           "\"unsound\":%ld,",
+           pass->emitted, pass->stored, (unsigned long long)pass->segments, pass->seconds, redraw_cap_count(),
+           pass->unsound);
     print_ledger_json(&pass->ledger);
     printf("}\n");
 }
@@ -76,6 +77,10 @@ int command_photons(int count, char **arguments)
         return report_error(&error);
     a.options.photons = a.photons ? a.photons : scene->settings.photons;
     a.options.depth = a.depth ? a.depth : scene->settings.depth;
+    if (a.code && !a.steps)
+        a.play = step_choice_for_student();
+    if (a.code && !a.quiet)
+        report_steps(a.play, false);
     a.options.glossy = a.play.glossy;
     a.options.loop = a.play.loop;
     steps_play(a.play);
@@ -91,7 +96,7 @@ int command_photons(int count, char **arguments)
     if (!ok)
         return report_error(&error);
     if (!a.quiet) {
-        report_steps(a.code);
+        report_oddities(&pass.ledger, pass.unsound);
         fprintf(stderr, "%s: %zu photons stored of %ld emitted; %.1f s\n", a.out, pass.stored, pass.emitted,
                 pass.seconds);
     }

@@ -21,10 +21,11 @@ static const char help[] =
     "  --depth N            bounces after which a path is cut\n"
     "  --seed S             another seed, another noise\n"
     "  --threads T          0: all cores. The picture is the same whatever T\n"
-    "  --reuse F            share estimates of indirect light within F of their radius (0.35); 0: one for every eye "
-    "ray\n"
+    "  --reuse F            photons: share estimates from the maps within F of their radius (0.35); 0: none is shared\n"
     "  --code DIR           play the steps built in DIR laid out like build/solutions\n"
-    "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life; e.g. 2.3,1.5\n"
+    "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life; e.g. 2.3,1.5. Unset: 2.4 "
+    "and\n"
+    "                       3.4; with --code, 2.3 and 1.5 where yours are started and your 2.4 and 3.4 are not\n"
     "  --glass-sides 1|2    1: eye rays bend at the front of glass only, the looking glass of the source text\n"
     "  --quiet              no progress and no summary\n"
     "  --json               one line of JSON on standard output: counts, rays, seconds, the energy ledger\n";
@@ -91,6 +92,8 @@ static int parse(int count, char **arguments, Arguments *a)
         return report_usage("render", "--bits %d: expected 8 or 16", a->bits);
     if (!a->out)
         return report_usage("render", "say where to write the picture: -o OUT.png");
+    if (a->options.glass_sides == 1 && a->integrator && strcmp(a->integrator, "path") == 0)
+        return report_usage("render", "--glass-sides 1: the path tracer knows whole glass only");
     Error error = {""};
     if (!image_path_is_known(a->out, &error) || (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
         return report_usage("render", "%s", error.message);
@@ -124,10 +127,11 @@ static RenderSettings settings_of(const Scene *scene, const RenderSettings *flag
 static void print_json(const RenderStats *s)
 {
     printf("{\"photons_emitted\":%ld,\"photons_stored\":%zu,\"rays\":%llu,\"photon_rays\":%llu,\"eye_rays\":%llu,"
-           "\"map_bytes\":%zu,\"seconds\":{\"photons\":%.6f,\"build\":%.6f,\"eye\":%.6f},\"redraw_caps\":%ld,",
+           "\"map_bytes\":%zu,\"seconds\":{\"photons\":%.6f,\"build\":%.6f,\"eye\":%.6f},\"redraw_caps\":%ld,"
+           "\"unsound\":%ld,",
            s->photons_emitted, s->photons_stored, (unsigned long long)(s->photon_rays + s->eye_rays),
            (unsigned long long)s->photon_rays, (unsigned long long)s->eye_rays, s->map_bytes, s->photon_seconds,
-           s->build_seconds, s->eye_seconds, redraw_cap_count());
+           s->build_seconds, s->eye_seconds, redraw_cap_count(), s->unsound);
     print_ledger_json(&s->ledger);
     printf("}\n");
 }
@@ -150,6 +154,10 @@ int command_render(int count, char **arguments)
     if (!scene)
         return report_error(&error);
     a.options.settings = settings_of(scene, &a.settings);
+    if (a.code && !a.steps)
+        a.options.play = step_choice_for_student();
+    if (a.code && !a.quiet)
+        report_steps(a.options.play, a.options.integrator == INTEGRATOR_PATH);
     parallel_limit(a.options.threads);
 
     ProgressBar bar;
@@ -158,13 +166,17 @@ int command_render(int count, char **arguments)
     RenderStats stats;
     bool ok = render_image(scene, &a.options, &image, &stats, &error);
     progress_bar_end(&bar);
-    ok = ok && save(&image, &a, &error);
+    bool saved = ok && save(&image, &a, &error);
     image_free(&image);
     scene_free(scene);
-    if (!ok)
-        return report_error(&error);
+    if (!saved) {
+        report_error(&error);
+        if (ok && a.code)
+            report_suspects(a.options.play);
+        return EXIT_INPUT;
+    }
     if (!a.quiet) {
-        report_steps(a.code);
+        report_oddities(&stats.ledger, stats.unsound);
         fprintf(stderr, "%s: %d×%d, %ld photons emitted, %zu stored; %.1f s photons, %.1f s map, %.1f s eye\n", a.out,
                 a.options.settings.width, a.options.settings.height, stats.photons_emitted, stats.photons_stored,
                 stats.photon_seconds, stats.build_seconds, stats.eye_seconds);

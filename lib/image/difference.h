@@ -10,8 +10,8 @@ typedef struct {
     double relative_mse[3];  // mean of (x−r)²/(r²+0.01)
     double mean_ratio[3];    // mean(image)/mean(reference); 1 when both are black, infinite when only the reference is
     double relative_mse_all; // over all pixels and channels
-    double
-        relative_mse_trimmed; // the same without the worst 0.1 % of pixels, rounded down (a pixel's error: the sum over its channels)
+    // The same without the worst 0.1 % of pixels, rounded down; a pixel's error is the sum over its channels.
+    double relative_mse_trimmed;
     size_t pixels; // how many were compared
 } ImageDifference;
 

@@ -2,7 +2,7 @@
 // Usable alone: needs nothing of a scene.
 //
 //   PhotonMap *map = photon_map_build(photons, count, &error);   // takes the array over and reorders it
-//   NearPhoton near[50];
+//   NearPhoton near[PHOTON_MAP_NEAREST_ROOM(50)];
 //   float radius2 = 0.1f * 0.1f;
 //   size_t found = photon_map_nearest(map, point, 50, &radius2, near);
 //   …

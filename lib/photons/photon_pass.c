@@ -116,6 +116,7 @@ static void close_books(PhotonPass *pass, const PhotonTrace *chunks, long chunk_
     for (long i = 0; i < chunk_count; i++) {
         ledger_add(&pass->ledger, &chunks[i].ledger);
         pass->segments += chunks[i].segments;
+        pass->unsound += chunks[i].unsound;
     }
     for (int c = 0; c < 3; c++) {
         double n = (double)pass->emitted;

@@ -47,6 +47,7 @@ typedef struct {
     long emitted;
     size_t stored;
     uint64_t segments; // rays traced
+    long unsound;      // paths that ended because a step gave a direction not of unit length; counted as escaped
     double seconds;
 } PhotonPass;
 

@@ -40,6 +40,11 @@ bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
         add_power(trace->ledger.cut, photon->power);
         return false;
     }
+    if (!(fabsf(vec3_dot(photon->direction, photon->direction) - 1.0f) < 0.01f)) { // NaN is not less
+        trace->unsound++;
+        add_power(trace->ledger.escaped, photon->power);
+        return false;
+    }
     Ray ray = {photon->position, photon->direction, photon->from};
     trace->segments++;
     if (!scene_intersect(trace->scene, &ray, hit)) {

@@ -16,35 +16,36 @@ typedef struct {
 
 static Colour trace(Eye *eye, const Ray *ray, EyeRay carried);
 
-// Radiance from one map; on a matt surface from the cache, if an estimate was made nearby.
-static Colour from_map(Eye *eye, const PhotonMap *map, IrradianceCache *cache, const Hit *hit, Vec3 wo)
+// What a matt surface sends back of one map's light; from the cache, if an estimate was made nearby on the same
+// material. For the matt part of a glossy surface, `hit` has a material of its own and `material` is the true one.
+static Colour matt_from_map(Eye *eye, const PhotonMap *map, RadianceCache *cache, const Hit *hit,
+                            const Material *material, Vec3 wo)
 {
     float reuse = eye->options->reuse;
-    if (photon_map_count(map) == 0)
-        return colour_grey(0.0f);
-    if (reuse <= 0.0f || hit->material->type != MATERIAL_DIFFUSE)
-        return steps.estimate_radiance(map, hit, wo, &eye->gather);
-    Colour irradiance;
-    if (!irradiance_cache_find(cache, hit->position, hit->normal, &irradiance)) {
-        static const Material white = {.type = MATERIAL_DIFFUSE, .diffuse = {1.0f, 1.0f, 1.0f}};
-        Hit on_white = *hit;
-        on_white.material = &white;
-        eye->gather.reach = 0.0f;
-        irradiance = colour_scale(steps.estimate_radiance(map, &on_white, wo, &eye->gather), PI);
-        // Where photons happen to be sparse the radius is large and the estimate low: a reach in proportion would
-        // favour low estimates. In steps of two it does not follow the noise.
+    Colour radiance;
+    if (reuse > 0.0f && radiance_cache_find(cache, hit->position, hit->normal, material, &radiance))
+        return radiance;
+    eye->gather.reach = 0.0f;
+    radiance = steps.estimate_radiance(map, hit, wo, &eye->gather);
+    // Where photons happen to be sparse the radius is large and the estimate low: a reach in proportion would favour
+    // low estimates. In steps of two it does not follow the noise.
+    if (reuse > 0.0f && eye->gather.reach > 0.0f) {
         float reach = reuse * ldexpf(1.0f, ilogbf(eye->gather.reach));
-        irradiance_cache_add(cache, hit->position, hit->normal, reach, irradiance);
+        radiance_cache_add(cache, &(CachedRadiance){hit->position, hit->normal, material, reach, radiance});
     }
-    return colour_mul(irradiance, colour_scale(hit->material->diffuse, 1.0f / PI));
+    return radiance;
 }
 
 // Caustics are sharp and their photons dense: fewer of them make an estimate.
 static Colour from_caustics(Eye *eye, const Hit *hit, Vec3 wo)
 {
+    if (photon_map_count(eye->caustic) == 0)
+        return colour_grey(0.0f);
     size_t k = eye->gather.k;
     eye->gather.k = k / CAUSTIC_SHARE > CAUSTIC_LEAST ? k / CAUSTIC_SHARE : k < CAUSTIC_LEAST ? k : CAUSTIC_LEAST;
-    Colour radiance = from_map(eye, eye->caustic, &eye->caustic_cache, hit, wo);
+    Colour radiance = hit->material->type == MATERIAL_DIFFUSE
+                          ? matt_from_map(eye, eye->caustic, &eye->caustic_cache, hit, hit->material, wo)
+                          : steps.estimate_radiance(eye->caustic, hit, wo, &eye->gather);
     eye->gather.k = k;
     return radiance;
 }
@@ -87,20 +88,21 @@ static Colour indirect_lobe(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
     return follow(eye, hit, wi, colour_scale(f, vec3_dot(wi, hit->normal) / pdf), carried);
 }
 
-// Light leaving a rough surface.
+// Light leaving a rough surface. PHOTONS_ONLY does what the source text does: one look-up at the first such surface.
 static Colour rough_surface(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
 {
+    const Material *material = hit->material;
     if (eye->options->integrator == INTEGRATOR_PHOTONS_ONLY)
-        return from_map(eye, eye->rest, &eye->rest_cache, hit, wo);
+        return steps.estimate_radiance(eye->rest, hit, wo, &eye->gather);
     Colour sum = direct_light(eye, hit, wo);
     sum = colour_add(sum, from_caustics(eye, hit, wo));
-    if (hit->material->type == MATERIAL_DIFFUSE)
-        return colour_add(sum, from_map(eye, eye->rest, &eye->rest_cache, hit, wo));
-    Material matt = *hit->material;
+    if (material->type == MATERIAL_DIFFUSE)
+        return colour_add(sum, matt_from_map(eye, eye->rest, &eye->rest_cache, hit, material, wo));
+    Material matt = *material;
     matt.type = MATERIAL_DIFFUSE;
     Hit on_matt = *hit;
     on_matt.material = &matt;
-    sum = colour_add(sum, from_map(eye, eye->rest, &eye->rest_cache, &on_matt, wo));
+    sum = colour_add(sum, matt_from_map(eye, eye->rest, &eye->rest_cache, &on_matt, material, wo));
     return colour_add(sum, indirect_lobe(eye, hit, wo, carried));
 }
 

@@ -3,7 +3,7 @@
 #define PHOTONLAB_RENDER_EYE_H
 
 #include "photons/gather.h"
-#include "render/irradiance_cache.h"
+#include "render/radiance_cache.h"
 #include "render/render.h"
 #include "render/sampler.h"
 
@@ -14,7 +14,7 @@ typedef struct {
     const PhotonMap *caustic; // PHOTONS only
     const PhotonMap *rest;    // PHOTONS: indirect; PHOTONS_ONLY: all
     Gather gather;
-    IrradianceCache caustic_cache, rest_cache; // estimates made in this tile
+    RadianceCache caustic_cache, rest_cache; // estimates made in this tile
     Rng rng;
     Sampler sampler;
     uint64_t rays;

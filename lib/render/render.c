@@ -37,8 +37,8 @@ static void render_tile(Eye *eye, Image *image, int tile)
     int tiles_across = (image->width + TILE - 1) / TILE;
     int left = tile % tiles_across * TILE;
     int top = tile / tiles_across * TILE;
-    irradiance_cache_clear(&eye->caustic_cache);
-    irradiance_cache_clear(&eye->rest_cache);
+    radiance_cache_clear(&eye->caustic_cache);
+    radiance_cache_clear(&eye->rest_cache);
     for (int row = top; row < top + TILE && row < image->height; row++)
         for (int column = left; column < left + TILE && column < image->width; column++)
             render_pixel(eye, image, column, row);
@@ -122,6 +122,7 @@ static bool make_maps(const Scene *scene, const RenderOptions *options, Maps *ma
     stats->photons_emitted = pass.emitted;
     stats->photons_stored = pass.stored;
     stats->photon_rays = pass.segments;
+    stats->unsound = pass.unsound;
     stats->photon_seconds = pass.seconds;
     stats->ledger = pass.ledger;
     double start = clock_seconds();

@@ -19,7 +19,7 @@ typedef struct {
     int threads;     // 0: all cores
     StepChoice play; // 2.3 or 2.4, 1.5 or 3.4
     int glass_sides; // 2; 1: eye rays bend on the way into glass only, the source text's looking glass
-    float reuse; // estimates of indirect light are shared within this part of their radius; 0: one for every eye ray
+    float reuse;     // PHOTONS: estimates from the maps are shared within this part of their radius; 0: none is
     Progress progress;
 } RenderOptions;
 
@@ -29,6 +29,7 @@ typedef struct {
     long photons_emitted;
     size_t photons_stored;
     uint64_t photon_rays; // traced by photons
+    long unsound;         // photons to which a step gave no sound direction
     uint64_t eye_rays;    // camera, shadow and bounce rays
     double photon_seconds, build_seconds, eye_seconds;
     size_t map_bytes;

@@ -60,7 +60,7 @@ static inline bool material_is_rough(const Material *material)
 Colour material_lobe(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);
 Colour material_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);
 
-// Share of light from wi that the material sends back, per channel (the albedo a(wi), 0…1): for glossy it includes
+// Share of light from wi that the material sends back, per channel (the albedo a(wi), 0…1): for glossy it is less by
 // what the lobe loses below the surface. Mirrors: ρ_s. Glass: 1. Lights: 0.
 Colour material_albedo(const Material *material, GlossyModel model, float cos_wi);
 

@@ -152,7 +152,7 @@ bool scene_build_mesh(SceneLoader *loader, const ShapeEntry *entry, uint32_t mat
     size_t size = 0;
     char *text = path ? text_read_file(path, LARGEST_OBJ_FILE, &size, &unread) : NULL;
     bool fine = text ? add_text(loader, entry, text, size, path, material)
-                     : scene_fault(loader, "file", "cannot read the mesh %s", unread.message);
+                     : scene_fault(loader, "file", "the mesh %s", unread.message);
     free(text);
     free(path);
     return fine;

@@ -12,8 +12,8 @@
 typedef struct {
     Vec3 origin, edge_u, edge_v;
     uint32_t material; // index into Scene.materials
-    uint32_t
-        normals : 31; // 1 + index into Scene.normals of three corner normals (at origin, +edge_u, +edge_v); 0: flat
+    // 1 + index into Scene.normals of three corner normals (at origin, +edge_u, +edge_v); 0: it has none.
+    uint32_t normals : 31;
     uint32_t is_triangle : 1;
 } Flat;
 

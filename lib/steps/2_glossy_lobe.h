@@ -1,4 +1,8 @@
 // Stage 2, glossy lobe: the contracts of its steps.
+//
+// "The source text" is the student project that this course goes back to (course 02562, Technical University of
+// Denmark), which added glossy photons and colour dispersion to a photon mapper. Step 2.3 follows it to the letter,
+// step 2.4 puts it right.
 #ifndef PHOTONLAB_STEPS_GLOSSY_LOBE_H
 #define PHOTONLAB_STEPS_GLOSSY_LOBE_H
 
@@ -23,10 +27,12 @@ Vec3 turn_to(Vec3 local, Vec3 axis);
 // After MAX_LOBE_TRIES redraws: call redraw_cap_reached() and return false.
 bool scatter_glossy_source_text(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight);
 
-// 2.4  The energy-conserving bounce: one lobe sample about the mirror direction. Below the surface: absorbed, return
-// false. The weight makes it the modified Phong BRDF f = ρ(n+2)/(2π)·cosⁿα (Lafortune & Willems 1994); ρ is the
-// caller's:
+// 2.4  The bounce that never makes energy: one lobe sample about the mirror direction. Below the surface: absorbed,
+// return false. The weight makes it the modified Phong BRDF f = ρ(n+2)/(2π)·cosⁿα (Lafortune & Willems 1994); ρ is
+// the caller's:
 //          weight = f·cosθ_o/(ρ·pdf) = (n+2)/(n+1)·cosθ_o
+// What the lobe loses below the surface is really lost: at n = 100 and 80° a share of 0.175ρ is reflected, where step
+// 2.3 sends on all of ρ, but a part of it the wrong way.
 bool scatter_glossy_phong(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight);
 
 #endif

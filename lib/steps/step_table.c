@@ -31,7 +31,7 @@ const StepInfo step_table[STEP_COUNT] = {
     {"2.3", "scatter_glossy_source_text", 2, G "2.3_scatter_glossy_source_text", "Scatter as the source text does",
      "Only a diffuse draw on the mirror's side is replaced.", "2_glossy_lobe.html#gap",
      offsetof(Steps, scatter_glossy_source_text)},
-    {"2.4", "scatter_glossy_phong", 2, G "2.4_scatter_glossy_phong", "Scatter and conserve energy",
+    {"2.4", "scatter_glossy_phong", 2, G "2.4_scatter_glossy_phong", "Scatter as the modified Phong BRDF",
      "The weight is BRDF times cosine over density.", "2_glossy_lobe.html#energy",
      offsetof(Steps, scatter_glossy_phong)},
     {"3.1", "refract", 3, C "3.1_refract", "Refract", "A negative number under the root: total reflection.",

@@ -1,7 +1,9 @@
 #define _GNU_SOURCE // dladdr
 #include "steps/steps.h"
 
+#include <dirent.h>
 #include <dlfcn.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +12,7 @@ Steps steps;
 StepState step_states[STEP_COUNT];
 static long redraw_caps;
 
-void todo(const char *id)
+void photonlab_step_not_started(const char *id)
 {
     for (size_t i = 0; i < STEP_COUNT; i++)
         if (strcmp(step_table[i].id, id) == 0)
@@ -54,7 +56,7 @@ static bool object_calls_todo(const char *path)
     FILE *file = fopen(path, "rb");
     if (!file)
         return false;
-    const char symbol[] = "\0todo"; // both ends of the string count: "\0todo\0"
+    const char symbol[] = "\0photonlab_step_not_started"; // the 0 at both ends counts
     size_t matched = 0;
     bool found = false;
     for (int c = getc(file); c != EOF && !found; c = getc(file)) {
@@ -94,7 +96,7 @@ static bool load_step(size_t i, const char *student_dir, const char *library, Er
             step_states[i] = STEP_STUDENT;
             return load_slot(step, path, error);
         }
-        step_states[i] = STEP_NOT_STARTED;
+        step_states[i] = there ? STEP_NOT_STARTED : STEP_REFERENCE;
     }
     snprintf(path, sizeof path, "%s/solutions/%s.so", library, step->file);
     if (!file_exists(path))
@@ -102,10 +104,59 @@ static bool load_step(size_t i, const char *student_dir, const char *library, Er
     return load_slot(step, path, error);
 }
 
+// Is there a step of this folder and file name?
+static bool is_step(const char *folder, const char *name)
+{
+    char file[512];
+    snprintf(file, sizeof file, "%s/%s", folder, name);
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        size_t length = strlen(step_table[i].file);
+        if (strncmp(file, step_table[i].file, length) == 0 && strcmp(file + length, ".so") == 0)
+            return true;
+    }
+    return false;
+}
+
+// A misspelt object would go unnoticed, with the reference in its place.
+static bool check_names(const char *student_dir, const char *folder, Error *error)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", student_dir, folder);
+    DIR *directory = opendir(path);
+    if (!directory)
+        return true;
+    bool ok = true;
+    for (struct dirent *entry; ok && (entry = readdir(directory));) {
+        const char *ending = strrchr(entry->d_name, '.');
+        if (ending && strcmp(ending, ".so") == 0 && !is_step(folder, entry->d_name))
+            ok = error_set(error, "%s/%s: no step has this name; solutions/%s/ shows what they are called", path,
+                           entry->d_name, folder);
+    }
+    closedir(directory);
+    return ok;
+}
+
+static bool check_student_dir(const char *student_dir, Error *error)
+{
+    DIR *directory = opendir(student_dir);
+    if (!directory)
+        return error_set(error, "%s: is no directory of steps: %s", student_dir, strerror(errno));
+    closedir(directory);
+    bool ok = true;
+    for (size_t i = 0; ok && i < STEP_COUNT; i++) {
+        char folder[256];
+        snprintf(folder, sizeof folder, "%.*s", (int)strcspn(step_table[i].file, "/"), step_table[i].file);
+        ok = check_names(student_dir, folder, error);
+    }
+    return ok;
+}
+
 bool steps_load(const char *student_dir, Error *error)
 {
     char library[2048];
     library_directory(library, sizeof library);
+    if (student_dir && !check_student_dir(student_dir, error))
+        return false;
     for (size_t i = 0; i < STEP_COUNT; i++)
         if (!load_step(i, student_dir, library, error))
             return false;
@@ -119,25 +170,63 @@ void steps_play(StepChoice choice)
         choice.glossy == GLOSSY_SOURCE_TEXT ? steps.scatter_glossy_source_text : steps.scatter_glossy_phong;
 }
 
+static StepState state_of(const char *id)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (strcmp(step_table[i].id, id) == 0)
+            return step_states[i];
+    return STEP_REFERENCE;
+}
+
+StepChoice step_choice_for_student(void)
+{
+    bool source_text = state_of("2.3") == STEP_STUDENT && state_of("2.4") != STEP_STUDENT;
+    bool loop = state_of("1.5") == STEP_STUDENT && state_of("3.4") != STEP_STUDENT;
+    return (StepChoice){source_text ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG, loop};
+}
+
+bool step_is_played(const StepInfo *step, StepChoice choice)
+{
+    if (strcmp(step->id, "1.5") == 0)
+        return choice.loop;
+    if (strcmp(step->id, "3.4") == 0 || strcmp(step->id, "3.5") == 0)
+        return !choice.loop;
+    if (strcmp(step->id, "2.3") == 0)
+        return choice.glossy == GLOSSY_SOURCE_TEXT;
+    if (strcmp(step->id, "2.4") == 0)
+        return choice.glossy == GLOSSY_PHONG;
+    return true;
+}
+
+// Takes one word of the list; each of the two choices may be made once.
+static bool choose(const char *word, size_t length, StepChoice *choice, bool chosen[2])
+{
+    static const char *const names[] = {"2.4", "2.3", "3.4", "1.5"};
+    for (int i = 0; i < 4; i++) {
+        if (length != strlen(names[i]) || strncmp(word, names[i], length) != 0 || chosen[i / 2])
+            continue;
+        chosen[i / 2] = true;
+        if (i < 2)
+            choice->glossy = i == 0 ? GLOSSY_PHONG : GLOSSY_SOURCE_TEXT;
+        else
+            choice->loop = i == 3;
+        return true;
+    }
+    return false;
+}
+
 bool step_choice_parse(const char *text, StepChoice *choice, Error *error)
 {
-    char copy[64];
     *choice = (StepChoice){GLOSSY_PHONG, false};
-    if (strlen(text) >= sizeof copy)
-        return error_set(error, "--steps %s: expected 2.3 or 2.4, and 1.5 or 3.4, parted by commas", text);
-    strcpy(copy, text);
-    for (char *word = strtok(copy, ","); word; word = strtok(NULL, ",")) {
-        if (strcmp(word, "2.3") == 0)
-            choice->glossy = GLOSSY_SOURCE_TEXT;
-        else if (strcmp(word, "2.4") == 0)
-            choice->glossy = GLOSSY_PHONG;
-        else if (strcmp(word, "1.5") == 0)
-            choice->loop = true;
-        else if (strcmp(word, "3.4") == 0)
-            choice->loop = false;
-        else
-            return error_set(error, "--steps %s: no choice `%s`; expected 2.3 or 2.4, and 1.5 or 3.4, parted by commas",
-                             text, word);
-    }
+    bool chosen[2] = {false, false};
+    const char *word = text;
+    do {
+        size_t length = strcspn(word, ",");
+        if (!choose(word, length, choice, chosen))
+            return error_set(error,
+                             "--steps %s: no choice `%.*s`; expected 2.3 or 2.4, and 1.5 or 3.4, parted by a comma",
+                             text, (int)length, word);
+        word += length + (word[length] == ',');
+    } while (*word);
     return true;
 }

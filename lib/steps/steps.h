@@ -50,16 +50,17 @@ typedef struct {
 extern const StepInfo step_table[STEP_COUNT];
 
 typedef enum {
-    STEP_REFERENCE,  // the solution plays
-    STEP_STUDENT,    // the student's object plays
-    STEP_NOT_STARTED // no object of the student, or one that still calls todo(): the solution plays in its place
+    STEP_REFERENCE,   // no object of the student: the solution plays
+    STEP_NOT_STARTED, // the student's object still calls todo(): the solution plays in its place
+    STEP_STUDENT      // the student's object plays
 } StepState;
 
 extern StepState step_states[STEP_COUNT];
 
 // Fills every slot: from `student_dir` (NULL: none) where it holds a started step, otherwise from the reference
 // solutions, <directory of the library>/solutions. Both are laid out as StepInfo.file with the ending .so. False,
-// naming step and file, when an object cannot be loaded, lacks its function, or no object is found for a step.
+// naming step and file, when an object cannot be loaded, lacks its function, or no object is found for a step; when
+// student_dir is no directory, or holds a .so that is named like no step.
 bool steps_load(const char *student_dir, Error *error);
 
 // Which steps play where two do the same work: "2.3" or "2.4" for glossy surfaces, "1.5" or "3.4" for the photon's
@@ -69,10 +70,17 @@ typedef struct {
     bool loop; // 1.5 in place of 3.4
 } StepChoice;
 bool step_choice_parse(const char *text, StepChoice *choice, Error *error);
-void steps_play(StepChoice choice);
 
-// What a stub calls: marks the step as not started. Take the call away when you start.
-void todo(const char *id);
+// The choice that lets students see what they have so far: 1.5 or 2.3 where theirs is started, and 3.4 or 2.4 is not.
+StepChoice step_choice_for_student(void);
+
+void steps_play(StepChoice choice);
+bool step_is_played(const StepInfo *step, StepChoice choice);
+
+// What a stub calls: todo("1.3") marks the step as not started. Take the call away when you start. A name of its own
+// in the object tells a stub from code that merely has something called todo.
+void photonlab_step_not_started(const char *id);
+#define todo(id) photonlab_step_not_started(id)
 
 // Step 2.3 gave up redrawing; counted, and reported by the program.
 void redraw_cap_reached(void);

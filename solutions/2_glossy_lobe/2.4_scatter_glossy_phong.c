@@ -1,4 +1,4 @@
-// Step 2.4: the energy-conserving glossy bounce. Contract: lib/steps/2_glossy_lobe.h
+// Step 2.4: the glossy bounce of the modified Phong BRDF. Contract: lib/steps/2_glossy_lobe.h
 #include "photonlab.h"
 
 bool scatter_glossy_phong(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight)

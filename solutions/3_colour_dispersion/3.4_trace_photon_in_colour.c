@@ -10,8 +10,8 @@ static void meet_glass(PhotonTrace *trace, Photon photon, const Hit *hit, Rng *r
     // 4. Find the share that each channel reflects. White light has three indices, a coloured photon its own.
     float share[3];
     for (int c = 0; c < 3; c++) {
-        PhotonColour colour = photon.colour == WHITE ? (PhotonColour)(RED + c) : photon.colour;
-        share[c] = steps.fresnel(cos_i, glass_eta(hit, steps.refractive_index(glass, colour)));
+        PhotonColour band = photon.colour == WHITE ? (PhotonColour)(RED + c) : photon.colour;
+        share[c] = steps.fresnel(cos_i, glass_eta(hit, steps.refractive_index(glass, band)));
     }
     float mean = (share[0] + share[1] + share[2]) / 3.0f;
 
@@ -51,7 +51,7 @@ void trace_photon_in_colour(PhotonTrace *trace, Photon photon, Rng *rng)
     if (material_is_rough(material))
         photon_store(trace, &photon, &hit);
 
-    // 3. Do what the material does, as in the loop.
+    // 3. Do what the material does, as in the loop of step 1.5: your code there will do here.
     switch (material->type) {
     case MATERIAL_DIFFUSE:
         if (!steps.russian_roulette(&photon.power, material->diffuse, rng))
