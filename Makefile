@@ -135,10 +135,11 @@ check-unit: all meshes $(TESTS)
 check-sanitized: meshes
 	@$(MAKE) BUILD=$(BUILD)/sanitized OPTIMISE=-O1 EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=undefined" check-unit
 
-##   check-compilers   gcc and clang build without a warning
+##   check-compilers   gcc and clang build without a warning, tests and fuzz targets too
 check-compilers:
-	@$(MAKE) BUILD=$(BUILD)/gcc CC=gcc EXTRA=-Werror all
-	@$(MAKE) BUILD=$(BUILD)/clang CC=clang EXTRA=-Werror all
+	@$(MAKE) BUILD=$(BUILD)/gcc CC=gcc EXTRA=-Werror all $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/gcc/tests/%)
+	@$(MAKE) BUILD=$(BUILD)/clang CC=clang EXTRA=-Werror all $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/clang/tests/%)
+	$(Q)for cc in gcc clang; do $$cc $(STRICT) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c) || exit 1; done
 
 ##   check-bytes       1, 2 and 7 threads, gcc and clang: the same bytes
 check-bytes: check-compilers meshes

@@ -1,20 +1,24 @@
 #!/usr/bin/env bash
 # Two methods, one answer: photons against the path tracer, on the scenes that both can render (light through glass or off mirrors from a
-# point, spot or beam is out of a path tracer's reach). Tenfold photons at a smaller radius must come closer.
+# point, spot or beam is out of a path tracer's reach). Tenfold photons must come closer: with k = 160 in place of 50 the variance of an
+# estimate falls to 50/160 = 0.31, and the disk it is taken from, a third as large, blurs less. The path image's own noise, the same in both
+# comparisons, lifts that to 0.6 at most with the samples below; 0.7 is asked for. If more photons were of no use it would be 1.
 # Usage: agreement.sh PROGRAM
 set -u
 here=$(dirname "$0")
 . "$here/common.sh"
 program=$1
 
-# relative error and mean ratio of photons against the path image of the same flags
+# agree NAME SCENE PATH_SAMPLES FLAGS…: relative error and mean ratio of photons against the path image of the same flags
 agree() {
-    local name=$1 scene=$2
-    shift 2
-    local size="--size 128x128 --quiet"
-    "$program" render "$scene" $size --integrator path --samples 256 "$@" -o "$work/path.pfm" || { bad "$name: does not run"; return; }
-    "$program" render "$scene" $size --photons 100000 --k 50 --radius 0 --samples 32 "$@" -o "$work/few.pfm"
-    "$program" render "$scene" $size --photons 1000000 --k 160 --radius 0 --samples 32 "$@" -o "$work/many.pfm"
+    local name=$1 scene=$2 samples=$3
+    shift 3
+    local size="--size 64x64 --quiet"
+    rm -f "$work"/*.pfm
+    "$program" render "$scene" $size --integrator path --samples "$samples" "$@" -o "$work/path.pfm" &&
+        "$program" render "$scene" $size --photons 100000 --k 50 --radius 0 --samples 64 "$@" -o "$work/few.pfm" &&
+        "$program" render "$scene" $size --photons 1000000 --k 160 --radius 0 --samples 64 "$@" -o "$work/many.pfm" ||
+        { bad "$name: does not run"; return; }
     local few many c
     few=$("$program" diff "$work/few.pfm" "$work/path.pfm" --json)
     many=$("$program" diff "$work/many.pfm" "$work/path.pfm" --json)
@@ -22,15 +26,17 @@ agree() {
         check "$(number "$many" mean_ratio $c) > 0.995 && $(number "$many" mean_ratio $c) < 1.005" \
             "$name: mean ratio of channel $c is $(number "$many" mean_ratio $c)"
     done
-    check "$(number "$many" relmse_trimmed) < $(number "$few" relmse_trimmed)" \
+    check "$(number "$many" relmse_trimmed) < 0.7 * $(number "$few" relmse_trimmed)" \
         "$name: relMSE falls from $(number "$few" relmse_trimmed) to $(number "$many" relmse_trimmed)"
 }
 
-for scene in box_diffuse box_glass box_glossy cornell_box; do
-    agree $scene scenes/$scene.yaml
+for scene in box_diffuse box_glossy cornell_box; do
+    agree $scene scenes/$scene.yaml 1024
 done
-agree "box_glossy, step 2.3" scenes/box_glossy.yaml --steps 2.3
-for scene in "$here"/agreement/*.yaml; do
-    agree "$(basename "$scene" .yaml)" "$scene"
-done
+agree "box_glossy, step 2.3" scenes/box_glossy.yaml 2048 --steps 2.3
+agree "every kind of light" "$here/agreement/lights.yaml" 1024
+# A path finds the lamp through glass by chance only, which takes more of them.
+agree box_glass scenes/box_glass.yaml 3072
+agree "dispersing glass" "$here/agreement/dispersion.yaml" 3072
+agree "matt things in glass" "$here/agreement/matt_in_glass.yaml" 3072
 finish

@@ -1,5 +1,5 @@
-// Feeds the OBJ reader with whatever libFuzzer thinks of: a mesh or a message, no crash, no leak. Build as
-// fuzz_scene.c.
+// Feeds the OBJ reader with whatever libFuzzer thinks of: a mesh or a message, no crash, no leak.
+// Build and run: make fuzz READER=obj
 #include "scene/limits.h"
 #include "scene/obj.h"
 

@@ -1,8 +1,5 @@
-// libFuzzer target: whatever bytes a PFM file holds, reading it ends in an image of finite pixels or in an
-// error.
-//   clang -g -O1 -fsanitize=fuzzer,address,undefined -D_DEFAULT_SOURCE -Ilib tests/fuzz/fuzz_pfm.c
-//   lib/image/*.c \
-//       lib/error.c -lpng -lm -o fuzz_pfm && ./fuzz_pfm CORPUS_FOLDER
+// libFuzzer target: whatever bytes a PFM file holds, reading it ends in an image of finite pixels or in an error.
+// Build and run: make fuzz READER=pfm
 #include "image/codec.h"
 
 #include <stdint.h>

@@ -1,8 +1,5 @@
-// libFuzzer target: whatever bytes a PNG file holds, reading it ends in an image of pixels from 0 to 1 or in
-// an error.
-//   clang -g -O1 -fsanitize=fuzzer,address,undefined -D_DEFAULT_SOURCE -Ilib tests/fuzz/fuzz_png.c
-//   lib/image/*.c \
-//       lib/error.c -lpng -lm -o fuzz_png && ./fuzz_png CORPUS_FOLDER
+// libFuzzer target: whatever bytes a PNG file holds, reading it ends in an image of pixels from 0 to 1 or in an error.
+// Build and run: make fuzz READER=png
 #include "image/codec.h"
 
 #include <stdint.h>

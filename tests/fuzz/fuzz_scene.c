@@ -1,9 +1,5 @@
-// Feeds the scene loader with whatever libFuzzer thinks of. It must come back with a scene or with a message,
-// and never crash, hang or leak. Meshes are not read. Build and run (from the top folder):
-//   clang -g -O1 -fsanitize=fuzzer,address,undefined -Ilib -D_DEFAULT_SOURCE tests/fuzz/fuzz_scene.c
-//   lib/error.c lib/scene/*.c
-//         -lcyaml -lyaml -lm -o build/fuzz_scene
-//   build/fuzz_scene -dict=tests/fuzz/scene.dict -max_total_time=600 build/corpus tests/malformed scenes
+// Feeds the scene loader with whatever libFuzzer thinks of. It must come back with a scene or with a message, and never
+// crash, hang or leak. Meshes are not read. Build and run: make fuzz READER=scene
 #include "scene/scene_load.h"
 
 #include <stdlib.h>

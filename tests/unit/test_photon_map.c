@@ -215,12 +215,38 @@ static void test_visit_and_within(void **state)
         }
 }
 
+// The header's example, word for word.
+static void test_example_of_the_header(void **state)
+{
+    (void)state;
+    const size_t count = 20000;
+    StoredPhoton *photons = make_photons(CUBE, count, 8);
+    Vec3 point = vec3(0.1f, 0.2f, -0.3f);
+    Error error = {""};
+
+    PhotonMap *map = photon_map_build(photons, count, &error); // takes the array over and reorders it
+    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(50)];
+    float radius2 = 0.1f * 0.1f;
+    size_t found = photon_map_nearest(map, point, 50, &radius2, near);
+
+    // 20000 photons on 8 m³ are 10 within 0.1 m, on average.
+    float *sorted = sorted_distances(map, point);
+    assert_true(found > 0 && found < 50);
+    assert_int_equal(found, count_below(sorted, count, 0.1f * 0.1f));
+    assert_true(radius2 == 0.1f * 0.1f);
+    radius2 = 1.0f;
+    assert_int_equal(photon_map_nearest(map, point, 50, &radius2, near), 50);
+    assert_true(radius2 == sorted[49]);
+    free(sorted);
+    photon_map_free(map);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_nearest_of_few),    cmocka_unit_test(test_nearest_of_1000),
         cmocka_unit_test(test_nearest_of_100000), cmocka_unit_test(test_no_photons_wanted),
-        cmocka_unit_test(test_visit_and_within),
+        cmocka_unit_test(test_visit_and_within),  cmocka_unit_test(test_example_of_the_header),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -40,6 +40,9 @@ static void within_reach(void **state)
     assert_within((double)found.b, 3.0, 1e-6, "blue");
     assert_true(found_at(&cache, vec3(2.02f, 0, 0), up) < 0.0f);
     assert_true(found_at(&cache, vec3(1.5f, 0, 1.5f), up) < 0.0f);
+    // One that is out of reach takes no part where another is found.
+    add(&cache, vec3(1.0f, 0, 0), 0.5f, &red_paint, colour_grey(7.0f));
+    assert_within((double)found_at(&cache, vec3(0.2f, 0, 0), up), 1.0, 1e-6, "the one within reach");
     radiance_cache_clear(&cache);
     assert_true(found_at(&cache, vec3(0, 0, 0), up) < 0.0f);
 }
