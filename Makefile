@@ -159,7 +159,7 @@ agreement: all meshes
 
 ## bench           speed against other programs, as ratios measured side by side (installs them first)
 bench: all meshes
-	@bash tests/bench/run.sh
+	+@bash tests/bench/run.sh
 
 ## fuzz            feed a reader with nonsense: make fuzz READER=scene|obj|png|pfm SECONDS=600 (needs clang)
 READER  ?= scene
