@@ -99,7 +99,7 @@ scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
 
 # ---- what there is to do; `make help` prints the lines with two hashes ----
 
-.PHONY: help demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli reference agreement \
+.PHONY: help demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized reference agreement \
         bench bench-peers fuzz format clean
 
 ## help            this list
@@ -133,7 +133,11 @@ check-unit: all meshes $(TESTS)
 
 ##   check-sanitized   the same under AddressSanitizer and UndefinedBehaviorSanitizer
 check-sanitized: meshes
-	@$(MAKE) BUILD=$(BUILD)/sanitized OPTIMISE=-O1 EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=undefined" check-unit
+	@$(SANITIZED) check-unit
+SANITIZED = $(MAKE) BUILD=$(BUILD)/sanitized OPTIMISE=-O1 \
+            EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
+check-cli-sanitized: meshes
+	@$(SANITIZED) check-cli
 
 ##   check-compilers   gcc and clang build without a warning, tests and fuzz targets too
 check-compilers:
@@ -145,7 +149,7 @@ check-compilers:
 check-bytes: check-compilers meshes
 	@bash tests/same_bytes.sh $(BUILD)/gcc/photonlab $(BUILD)/clang/photonlab
 
-##   check-cli         exit codes, messages, students' steps
+##   check-cli         exit codes, messages, students' steps; check-cli-sanitized: the same under sanitizers
 check-cli: all
 	@bash tests/cli.sh $(PROGRAM) $(BUILD)
 

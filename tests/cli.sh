@@ -76,6 +76,12 @@ expect 0 '"relmse_trimmed":0' "$program" diff "$work/a.pfm" "$work/a.pfm" --json
 expect 0 "" "$program" photons $scene -o "$work/p.ply" --photons 500
 expect 0 "" "$program" photons $scene -o "$work/p.csv" --photons 500
 
+# Every scene there is, in small.
+for every in scenes/*.yaml; do
+    expect 0 "" "$program" render "$every" --size 24x24 --photons 3000 --samples 2 -o "$work/s.png" --quiet
+    expect 0 "" "$program" photons "$every" --photons 1000 -o "$work/s.ply" --quiet
+done
+
 # Every photon is in both files.
 stored=$(($(wc -l <"$work/p.csv") - 1))
 if grep -aq "element vertex $stored" "$work/p.ply"; then good "PLY and CSV hold the same $stored photons"; else bad "PLY and CSV differ in count"; fi
