@@ -99,7 +99,7 @@ scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
 
 # ---- what there is to do; `make help` prints the lines with two hashes ----
 
-.PHONY: help demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized reference agreement \
+.PHONY: help demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-arm reference agreement \
         bench bench-peers fuzz format clean
 
 ## help            this list
@@ -152,6 +152,16 @@ check-bytes: check-compilers meshes
 ##   check-cli         exit codes, messages, students' steps; check-cli-sanitized: the same under sanitizers
 check-cli: all
 	@bash tests/cli.sh $(PROGRAM) $(BUILD)
+
+##   check-arm         the unit tests built for aarch64 and emulated, and one picture against this machine's to the byte (on
+##                     Debian: gcc-aarch64-linux-gnu, qemu-user, and the libraries of `make setup` with :arm64)
+ARM = BUILD=$(BUILD)/arm CC=aarch64-linux-gnu-gcc PKG_CFLAGS= PKG_LIBS="-lpng -lcyaml -lyaml"
+PICTURE = render scenes/box_glass.yaml --size 97x61 --photons 60000 --samples 3 --quiet
+check-arm: all meshes
+	@RUNNER="qemu-aarch64 -L /" $(MAKE) $(ARM) check-unit
+	@qemu-aarch64 -L / $(BUILD)/arm/photonlab $(PICTURE) -o $(BUILD)/arm/there.pfm
+	@$(PROGRAM) $(PICTURE) -o $(BUILD)/arm/here.pfm
+	@cmp $(BUILD)/arm/there.pfm $(BUILD)/arm/here.pfm && echo "the same picture to the byte"
 
 ##   reference         both integrators against an independent renderer's images
 reference: all

@@ -2,18 +2,17 @@
 
 #include <stdio.h>
 
-static const char help[] = "usage: photonlab bench [SCENE] [flags]\n"
-                           "\n"
-                           "Measures this machine on a scene (scenes/box_glass.yaml): photon paths a second on one "
-                           "thread and on all; and, by growing\n"
-                           "numbers of photons, seconds of the photon pass and of building the map, look-ups a second "
-                           "(50 nearest photons), bytes a\n"
-                           "stored photon. Each figure is the best of three runs.\n"
-                           "\n"
-                           "  --photons N    for the photon pass (1000000)\n"
-                           "  --most N       last row of the table: 10000, 100000, … up to N (1000000)\n"
-                           "  --threads T    0: all cores\n"
-                           "  --json         one line of JSON: the photon pass on T threads only\n";
+static const char help[] =
+    "usage: photonlab bench [SCENE] [flags]\n"
+    "\n"
+    "Measures this machine on a scene (scenes/box_glass.yaml): photon paths a second on one thread and on all; and, by growing\n"
+    "numbers of photons, seconds of the photon pass and of building the map, look-ups a second (50 nearest photons), bytes a\n"
+    "stored photon. Each figure is the best of three runs.\n"
+    "\n"
+    "  --photons N    for the photon pass (1000000)\n"
+    "  --most N       last row of the table: 10000, 100000, … up to N (1000000)\n"
+    "  --threads T    0: all cores\n"
+    "  --json         one line of JSON: the photon pass on T threads only\n";
 
 typedef struct {
     const char *scene;

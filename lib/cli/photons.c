@@ -3,21 +3,21 @@
 
 #include <stdio.h>
 
-static const char help[] = "usage: photonlab photons SCENE -o OUT.ply|OUT.csv [flags]\n"
-                           "\n"
-                           "Writes every stored photon: position, direction it came from, power, colour, bounce. "
-                           "MeshLab, Blender and CloudCompare\n"
-                           "open the PLY; anything opens the CSV.\n"
-                           "\n"
-                           "  -o FILE        where to\n"
-                           "  --photons N    photons to emit\n"
-                           "  --seed S       another seed, another scatter\n"
-                           "  --depth N      bounces after which a path is cut\n"
-                           "  --threads T    0: all cores. The photons are the same whatever T\n"
-                           "  --code DIR     play the steps built in DIR\n"
-                           "  --steps LIST   2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life\n"
-                           "  --quiet        no progress and no summary\n"
-                           "  --json         one line of JSON on standard output\n";
+static const char help[] =
+    "usage: photonlab photons SCENE -o OUT.ply|OUT.csv [flags]\n"
+    "\n"
+    "Writes every stored photon: position, direction it came from, power, colour, bounce. MeshLab, Blender and CloudCompare\n"
+    "open the PLY; anything opens the CSV.\n"
+    "\n"
+    "  -o FILE        where to\n"
+    "  --photons N    photons to emit\n"
+    "  --seed S       another seed, another scatter\n"
+    "  --depth N      bounces after which a path is cut\n"
+    "  --threads T    0: all cores. The photons are the same whatever T\n"
+    "  --code DIR     play the steps built in DIR\n"
+    "  --steps LIST   2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life\n"
+    "  --quiet        no progress and no summary\n"
+    "  --json         one line of JSON on standard output\n";
 
 typedef struct {
     const char *scene, *out, *code, *steps;

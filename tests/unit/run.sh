@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Runs cmocka test programs, several at a time, and closes with their sum. Usage: run.sh PROGRAM…
+# Runs cmocka test programs, several at a time, and closes with their sum. Usage: run.sh PROGRAM… RUNNER: what to start
+# them with (an emulator).
 set -u
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
-export OMP_NUM_THREADS=2
+export OMP_NUM_THREADS=2 RUNNER=${RUNNER:-}
 # shellcheck disable=SC2016  # $1 belongs to the inner shell
-printf '%s\n' "$@" | OUT=$out xargs -P "$jobs" -I{} bash -c '"$1" >"$OUT/${1##*/}" 2>&1; echo $? >"$OUT/${1##*/}.code"' _ {}
+printf '%s\n' "$@" | OUT=$out xargs -P "$jobs" -I{} bash -c '$RUNNER "$1" >"$OUT/${1##*/}" 2>&1; echo $? >"$OUT/${1##*/}.code"' _ {}
 
 passed=0
 failed=0
