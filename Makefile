@@ -26,14 +26,14 @@ SYSTEM := $(shell uname -s)
 
 # Same bytes from every compiler: no fused multiply-add, no fast-math. errno of sqrtf is not wanted.
 OPTIMISE ?= -O3
-STRICT    = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno
+STANDARD  = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno
 OPENMP   := $(shell echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp)
 PACKAGES  = libpng libcyaml yaml-0.1
 PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
 PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lcyaml -lyaml)
 
-override CFLAGS += $(STRICT) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib $(PKG_CFLAGS) $(EXTRA)
+override CFLAGS += $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib $(PKG_CFLAGS) $(EXTRA)
 LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(OPENMP)
 
 ifeq ($(SYSTEM),Darwin)
@@ -91,21 +91,24 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(LIBRARY)
 
 $(BUILD)/make_meshes: scenes/make_meshes.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(STRICT) -O2 $< -o $@ -lm
+	$(Q)$(CC) $(STANDARD) -O2 $< -o $@ -lm
 
 scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
 	@mkdir -p $(@D)
 	$(Q)$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
 
+-include tests/judge/judge.mk
+-include tests/steps/exercises.mk
+
 # ---- what there is to do; `make help` prints the lines with two hashes ----
 
-.PHONY: help demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-arm reference agreement \
+.PHONY: help demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-arm reference agreement \
         bench bench-peers fuzz format clean
 
 ## help            this list
 help:
 	@echo "make TARGET [NAME=value …]"
-	@sed -n 's/^## /  /p' Makefile
+	@sed -n 's/^## /  /p' $(filter-out %.d,$(MAKEFILE_LIST))
 
 ## (no target)     build the program: build/photonlab, and the reference steps: build/solutions/
 
@@ -115,10 +118,11 @@ help:
 demo: all meshes
 	@sh scenes/demo.sh $(PROGRAM) $(BUILD)/demo
 
-## render          render one scene: make render SCENE=scenes/prism.yaml FLAGS="--samples 64"
+## render          render one scene: make render SCENE=scenes/prism.yaml FLAGS="--samples 64" [CODE=exercises: with your steps]
 SCENE ?= scenes/box_glass.yaml
-render: all meshes
-	$(PROGRAM) render $(SCENE) -o $(BUILD)/$(notdir $(SCENE:.yaml=.png)) $(FLAGS)
+CODE_ASKED = $(filter-out undefined file,$(origin CODE))
+render: all meshes $(if $(CODE_ASKED),code-built)
+	$(PROGRAM) render $(SCENE) -o $(BUILD)/$(notdir $(SCENE:.yaml=.png)) $(if $(CODE_ASKED),--code $(CODE_BUILD)) $(FLAGS)
 
 ## meshes          make the meshes that are too large to keep: scenes/meshes/
 meshes: $(MESHES)
@@ -143,7 +147,7 @@ check-cli-sanitized: meshes
 check-compilers:
 	@$(MAKE) BUILD=$(BUILD)/gcc CC=gcc EXTRA=-Werror all $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/gcc/tests/%)
 	@$(MAKE) BUILD=$(BUILD)/clang CC=clang EXTRA=-Werror all $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/clang/tests/%)
-	$(Q)for cc in gcc clang; do $$cc $(STRICT) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c) || exit 1; done
+	$(Q)for cc in gcc clang; do $$cc $(STANDARD) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c) || exit 1; done
 
 ##   check-bytes       1, 2 and 7 threads, gcc and clang: the same bytes
 check-bytes: check-compilers meshes
@@ -152,6 +156,10 @@ check-bytes: check-compilers meshes
 ##   check-cli         exit codes, messages, students' steps; check-cli-sanitized: the same under sanitizers
 check-cli: all
 	@bash tests/cli.sh $(PROGRAM) $(BUILD)
+
+##   check-probe       what the judge asks of a step, in numbers
+check-probe: all
+	@bash tests/probe.sh $(PROGRAM) $(BUILD)
 
 ##   check-arm         the unit tests built for aarch64 and emulated, and one picture against this machine's to the byte (on
 ##                     Debian: gcc-aarch64-linux-gnu, qemu-user, and the libraries of `make setup` with :arm64)
@@ -182,7 +190,7 @@ FUZZ_FLAGS = -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
 fuzz:
 	@test -f tests/fuzz/fuzz_$(READER).c || { echo "READER is scene, obj, png or pfm"; exit 1; }
 	@mkdir -p $(BUILD)/fuzz/corpus_$(READER)
-	clang $(STRICT) -O1 -g -Ilib $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
+	clang $(STANDARD) -O1 -g -Ilib $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
 	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl || \
 	    { echo "Does clang lack its fuzzer? On Debian: apt-get install libclang-rt-$$(clang -dumpversion | cut -d. -f1)-dev"; exit 1; }
 	$(BUILD)/fuzz/fuzz_$(READER) -max_total_time=$(SECONDS) -timeout=10 -max_len=4096 -print_final_stats=1 \

@@ -37,6 +37,8 @@ part "unit tests" "$make" --no-print-directory check-unit
 part "unit tests under sanitizers" "$make" --no-print-directory check-sanitized
 part "gcc and clang, threads: the same bytes" "$make" --no-print-directory check-bytes
 part "command line" "$make" --no-print-directory check-cli
+part "probe" "$make" --no-print-directory check-probe
+part "exercises" "$make" --no-print-directory check-exercises
 part "command line under sanitizers" "$make" --no-print-directory check-cli-sanitized
 part "against an independent renderer" "$make" --no-print-directory reference
 part "photons against the path tracer" "$make" --no-print-directory agreement

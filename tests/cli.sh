@@ -27,7 +27,7 @@ expect() {
 expect 2 "usage" "$program"
 expect 0 "usage" "$program" --help
 expect 2 "no command \`paint\`" "$program" paint
-for command in render photons diff bench; do
+for command in render photons diff bench steps probe; do
     expect 0 "usage: photonlab $command" "$program" $command --help
     expect 2 "--help lists the flags" "$program" $command --no-such-flag
 done
@@ -54,6 +54,14 @@ expect 2 "--glass-sides 3" "$program" render $scene -o "$work/a.png" --glass-sid
 expect 2 "expected .ply or .csv" "$program" photons $scene -o "$work/a.txt"
 expect 2 "expected two pictures" "$program" diff "$work/a.pfm"
 expect 2 "--mask 1,2,3" "$program" diff a.pfm b.pfm --mask 1,2,3
+
+# The table of steps, and hints.
+expect 0 "2.1	sample_lobe	2	2_glossy_lobe/2.1_sample_lobe	" "$program" steps
+expect 0 "cosα = u₁^(1/(n+1))" "$program" steps --hint 2.1 --level 2
+expect 2 "no such step; there are 1.1 1.2" "$program" steps --hint 9.9
+expect 2 "of which step" "$program" steps --level 2
+expect 2 "from 1 to 3" "$program" steps --hint 1.1 --level 4
+expect 2 "expected no file" "$program" steps 1.1
 
 # Wrong input or output: 1, and no file.
 expect 1 "No such file" "$program" render "$work/none.yaml" -o "$work/a.png"

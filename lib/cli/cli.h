@@ -14,6 +14,8 @@ int command_render(int count, char **arguments);
 int command_photons(int count, char **arguments);
 int command_diff(int count, char **arguments);
 int command_bench(int count, char **arguments);
+int command_steps(int count, char **arguments);
+int command_probe(int count, char **arguments);
 
 // Prints the error to standard error and returns EXIT_INPUT.
 int report_error(const Error *error);

@@ -164,6 +164,28 @@ bool steps_load(const char *student_dir, Error *error)
     return true;
 }
 
+// Stands in every slot that a graded step has no business to call.
+static void step_is_absent(void)
+{
+    fprintf(stderr, "photonlab probe: a step was called that is not there while this one is graded\n");
+    abort();
+}
+
+bool steps_load_graded(const StepInfo *graded, const char *object, const char *references, Error *error)
+{
+    void (*absent)(void) = step_is_absent;
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        char path[4096];
+        snprintf(path, sizeof path, "%s/%s.so", references, step_table[i].file);
+        memcpy((char *)&steps + step_table[i].slot, &absent, sizeof absent);
+        step_states[i] = STEP_REFERENCE;
+        if (&step_table[i] != graded && file_exists(path) && !load_slot(&step_table[i], path, error))
+            return false;
+    }
+    step_states[graded - step_table] = STEP_STUDENT;
+    return load_slot(graded, object, error);
+}
+
 void steps_play(StepChoice choice)
 {
     steps.scatter_glossy =

@@ -35,19 +35,24 @@ typedef struct {
 
 extern Steps steps;
 
+#define HINT_COUNT 3
+
 typedef struct {
     const char *id;     // "1.3"
     const char *symbol; // the function's name
     int stage;
     const char *file; // below solutions/ and exercises/, without ending
     const char *title;
-    const char *hint;
-    const char *chapter; // of the course notes, with anchor
-    size_t slot;         // offset in Steps
+    const char *const *hints; // HINT_COUNT of them, each telling more than the one before
+    const char *chapter;      // of the course notes, with anchor
+    size_t slot;              // offset in Steps
 } StepInfo;
 
 #define STEP_COUNT 15
 extern const StepInfo step_table[STEP_COUNT];
+
+// The step of this id; NULL: there is none.
+const StepInfo *step_find(const char *id);
 
 typedef enum {
     STEP_REFERENCE,   // no object of the student: the solution plays
@@ -62,6 +67,11 @@ extern StepState step_states[STEP_COUNT];
 // naming step and file, when an object cannot be loaded, lacks its function, or no object is found for a step; when
 // student_dir is no directory, or holds a .so that is named like no step.
 bool steps_load(const char *student_dir, Error *error);
+
+// For grading one step: its slot from `object`, the others from whatever solutions lie in `references`, laid out as
+// StepInfo.file with the ending .so. The graded step's own solution is never loaded; a slot without any solution ends
+// the program with a message when it is called.
+bool steps_load_graded(const StepInfo *graded, const char *object, const char *references, Error *error);
 
 // Which steps play where two do the same work: "2.3" or "2.4" for glossy surfaces, "1.5" or "3.4" for the photon's
 // life; several parted by commas. Unset: 2.4 and 3.4.

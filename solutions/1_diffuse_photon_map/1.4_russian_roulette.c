@@ -3,6 +3,7 @@
 
 bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
 {
+    // BEGIN SOLUTION
     // 1. Work out the flux before and after the bounce; their ratio is the probability to survive.
     Colour reflected = colour_mul(*power, reflectance);
     float before = colour_sum(*power);
@@ -15,4 +16,6 @@ bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
     // 3. Let the survivors carry the flux of those who lost as well.
     *power = colour_scale(reflected, 1.0f / survival);
     return true;
+    // STUB: return false;
+    // END SOLUTION
 }

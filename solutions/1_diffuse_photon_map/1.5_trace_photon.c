@@ -3,6 +3,7 @@
 
 void trace_photon(PhotonTrace *trace, Photon photon, Rng *rng)
 {
+    // BEGIN SOLUTION
     Hit hit;
 
     // 1. Fly from surface to surface until the path ends.
@@ -39,4 +40,5 @@ void trace_photon(PhotonTrace *trace, Photon photon, Rng *rng)
         // 4. Fly on from here.
         photon.position = hit.position;
     }
+    // END SOLUTION
 }

@@ -3,6 +3,7 @@
 
 Colour estimate_radiance(const PhotonMap *map, const Hit *hit, Vec3 wo, Gather *gather)
 {
+    // BEGIN SOLUTION
     // 1. Find the photons near the point, and the radius r of the disk they lie in.
     float r;
     size_t found = gather_near(map, hit->position, gather, &r);
@@ -28,4 +29,6 @@ Colour estimate_radiance(const PhotonMap *map, const Hit *hit, Vec3 wo, Gather *
 
     // 5. Divide by the cone's volume, πr²/3: flux becomes flux per area.
     return colour_scale(sum, 3.0f / (PI * r * r));
+    // STUB: return colour(0.0f, 0.0f, 0.0f);
+    // END SOLUTION
 }

@@ -3,6 +3,7 @@
 
 Vec3 turn_to(Vec3 local, Vec3 axis)
 {
+    // BEGIN SOLUTION
     // 1. Find two unit vectors at right angles to the axis and to each other: start from whichever of x and y is
     // farther from it.
     Vec3 helper = fabsf(axis.x) < 0.7f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
@@ -13,4 +14,6 @@ Vec3 turn_to(Vec3 local, Vec3 axis)
     Vec3 turned = vec3_scale(tangent, local.x);
     turned = vec3_along(turned, bitangent, local.y);
     return vec3_along(turned, axis, local.z);
+    // STUB: return axis;
+    // END SOLUTION
 }

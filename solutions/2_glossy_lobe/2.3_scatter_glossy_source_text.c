@@ -3,6 +3,7 @@
 
 bool scatter_glossy_source_text(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight)
 {
+    // BEGIN SOLUTION
     *weight = 1.0f;
 
     // 1. Draw a diffuse direction. Away from the mirror direction it stays: this is the gap's other side.
@@ -22,4 +23,8 @@ bool scatter_glossy_source_text(Vec3 direction, Vec3 normal, float exponent, Rng
     // 3. Never loop for ever: say that the cap was hit.
     redraw_cap_reached();
     return false;
+    // STUB: *out = normal;
+    // STUB: *weight = 1.0f;
+    // STUB: return true;
+    // END SOLUTION
 }

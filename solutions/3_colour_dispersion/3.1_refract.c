@@ -3,6 +3,7 @@
 
 bool refract(Vec3 direction, Vec3 normal, float eta, Vec3 *refracted)
 {
+    // BEGIN SOLUTION
     // 1. Find cos²θ_t by Snell's law. Negative: no light gets through.
     float cos_i = -vec3_dot(direction, normal);
     float cos2_t = 1.0f - eta * eta * (1.0f - cos_i * cos_i);
@@ -15,4 +16,7 @@ bool refract(Vec3 direction, Vec3 normal, float eta, Vec3 *refracted)
     // 3. Take away the rounding that many bounces would pile up.
     *refracted = vec3_normalize(t);
     return true;
+    // STUB: *refracted = direction;
+    // STUB: return true;
+    // END SOLUTION
 }

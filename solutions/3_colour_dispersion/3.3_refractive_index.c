@@ -3,6 +3,8 @@
 
 float refractive_index(const Material *glass, PhotonColour colour)
 {
+    // BEGIN SOLUTION
+    // 1. Give each of the three colours the index of its own.
     switch (colour) {
     case RED:
         return glass->index[0];
@@ -13,5 +15,9 @@ float refractive_index(const Material *glass, PhotonColour colour)
     case WHITE:
         break;
     }
+
+    // 2. Give white, which is all three at once, their mean.
     return (glass->index[0] + glass->index[1] + glass->index[2]) / 3.0f;
+    // STUB: return 1.0f;
+    // END SOLUTION
 }

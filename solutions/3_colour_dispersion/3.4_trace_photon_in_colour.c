@@ -4,6 +4,7 @@
 // Glass: the photon flies on reflected, or refracted and perhaps split.
 static void meet_glass(PhotonTrace *trace, Photon photon, const Hit *hit, Rng *rng)
 {
+    // BEGIN SOLUTION
     const Material *glass = hit->material;
     float cos_i = -vec3_dot(photon.direction, hit->normal);
 
@@ -36,10 +37,12 @@ static void meet_glass(PhotonTrace *trace, Photon photon, const Hit *hit, Rng *r
             steps.refract(photon.direction, hit->normal, eta, &children[i].direction))
             steps.trace_photon_in_colour(trace, children[i], rng);
     }
+    // END SOLUTION
 }
 
 void trace_photon_in_colour(PhotonTrace *trace, Photon photon, Rng *rng)
 {
+    // BEGIN SOLUTION
     // 1. Fly to the next surface; the recursion ends where the path does.
     Hit hit;
     if (!photon_fly(trace, &photon, &hit))
@@ -74,4 +77,5 @@ void trace_photon_in_colour(PhotonTrace *trace, Photon photon, Rng *rng)
         return;
     }
     steps.trace_photon_in_colour(trace, photon, rng);
+    // END SOLUTION
 }

@@ -3,6 +3,7 @@
 
 int split_colour(const Photon *photon, const Material *glass, Photon children[3])
 {
+    // BEGIN SOLUTION
     // 1. A coloured photon never splits again, and glass of one index splits nothing.
     if (photon->colour != WHITE || !glass->disperses) {
         children[0] = *photon;
@@ -17,4 +18,6 @@ int split_colour(const Photon *photon, const Material *glass, Photon children[3]
         colour_set_channel(&children[c].power, c, colour_channel(photon->power, c));
     }
     return 3;
+    // STUB: return 0;
+    // END SOLUTION
 }

@@ -1,0 +1,56 @@
+// What `photonlab probe` is made of. It runs one step of a student and writes down what came out, as numbers; it
+// judges nothing and knows no right answer.
+//
+// It reads cases, one a line, words parted by spaces:
+//   call COUNT SEED ARGUMENT…      the step COUNT times, call i with the random stream (SEED, i); see probe_calls.c
+//   paths SCENE PHOTONS BATCHES DEPTH STEPS SEED             photon passes in BATCHES parts; see probe_paths.c
+//   picture SCENE WIDTH HEIGHT PHOTONS K DEPTH STEPS SEED    one picture, photons only, one eye ray a pixel
+// STEPS is what `--steps` takes. The numbers are written as they come off this machine, case by case:
+//   "photonlab probe 1\n", then for every case two uint32 (its number from 0, how many floats) and the floats.
+#ifndef PHOTONLAB_CLI_PROBE_H
+#define PHOTONLAB_CLI_PROBE_H
+
+#include "photonlab.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+#define PROBE_MAGIC "photonlab probe 1\n"
+
+// Results on their way out.
+typedef struct {
+    float *values;
+    size_t count, room;
+    bool out_of_memory;
+} ProbeOutput;
+
+void probe_put(ProbeOutput *output, float value);
+void probe_put_vec3(ProbeOutput *output, Vec3 v);
+void probe_put_colour(ProbeOutput *output, Colour c);
+
+// One line's words, taken one after the other. A word that is missing or no number makes `broken` true.
+typedef struct {
+    char *rest;
+    bool broken;
+} ProbeLine;
+
+const char *probe_word(ProbeLine *line);
+double probe_number(ProbeLine *line);
+long probe_whole(ProbeLine *line, long low, long high);
+uint64_t probe_seed(ProbeLine *line);
+Vec3 probe_vec3(ProbeLine *line);
+Colour probe_colour(ProbeLine *line);
+bool probe_at_end(ProbeLine *line);
+
+// The three kinds of case. False, with a reason, when a line is broken or a scene cannot be had.
+bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output, Error *error);
+bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error);
+bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error);
+
+// From here on, a crash writes one line to standard error before the program dies of it:
+//   photonlab-crash signal=11 case=3 address=0x0 stack=near|far peak_kb=N frames=OFFSET,OFFSET…
+// where frames are places in `object`, innermost first. So does running out of processor time (SIGXCPU).
+void probe_watch(const char *object);
+extern volatile int probe_case; // the case that runs
+
+#endif

@@ -1,0 +1,54 @@
+#include "cli/cli.h"
+
+#include <stdio.h>
+
+static const char help[] =
+    "usage: photonlab steps [flags]\n"
+    "\n"
+    "Lists the steps that students write, one a line, parted by tabs: id, function, stage, file (below exercises/, without\n"
+    "its ending), title, place in the course notes.\n"
+    "\n"
+    "  --hint ID      a hint for this step instead, e.g. --hint 2.1\n"
+    "  --level N      1: where to look; 2: the formula; 3: nearly the code. Unset: 1\n";
+
+static void print_table(void)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        const StepInfo *step = &step_table[i];
+        printf("%s\t%s\t%d\t%s\t%s\t%s\n", step->id, step->symbol, step->stage, step->file, step->title, step->chapter);
+    }
+}
+
+static int refuse_id(const char *id)
+{
+    char ids[16 * STEP_COUNT] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        length += (size_t)snprintf(ids + length, sizeof ids - length, " %s", step_table[i].id);
+    return report_usage("steps", "--hint %s: no such step; there are%s", id, ids);
+}
+
+int command_steps(int count, char **arguments)
+{
+    const char *hint = NULL;
+    int level = 0;
+    const Flag flags[] = {
+        {"hint", FLAG_TEXT, &hint, 0, 0},
+        {"level", FLAG_INT, &level, 1, HINT_COUNT},
+    };
+    int wrong = command_line_parse(&(CommandLine){"steps", help, "no file", flags, FLAG_COUNT(flags), 0, 0}, count,
+                                   arguments, NULL);
+    if (wrong)
+        return wrong == HELP_SHOWN ? 0 : wrong;
+    if (level && !hint)
+        return report_usage("steps", "--level %d: of which step? Add --hint ID", level);
+    if (!hint) {
+        print_table();
+        return 0;
+    }
+    const StepInfo *step = step_find(hint);
+    if (!step)
+        return refuse_id(hint);
+    printf("%s\n", step->hints[level ? level - 1 : 0]);
+    return 0;
+}

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# `photonlab probe` and `photonlab steps`: what they give, and how they refuse. Usage: probe.sh PROGRAM BUILD
+set -u
+here=$(dirname "$0")
+. "$here/common.sh"
+program=$1
+solutions=$2/solutions
+mkdir "$work/none"
+
+object_of() {
+    "$program" steps | awk -F '\t' -v id="$1" -v dir="$solutions" '$1 == id { print dir "/" $4 ".so" }'
+}
+
+# probe STEP REFERENCES LINE…: runs the cases, numbers in text on standard output.
+probe() {
+    local step=$1 references=$2
+    shift 2
+    printf '%s\n' "$@" >"$work/cases"
+    "$program" probe --step "$step" --object "$(object_of "$step")" --references "$references" --print "$work/cases" 2>"$work/err"
+}
+
+# gives STEP CASE NUMBERS: the numbers that a deterministic case gives.
+gives() {
+    local found
+    found=$(probe "$1" "$work/none" "$2")
+    if [ "$found" = "case 0: $3" ]; then good "probe $1 $2"; else bad "probe $1 $2: expected $3, found $found $(cat "$work/err")"; fi
+}
+
+# refuses STEP CASE TEXT: exit code 1 and this text.
+refuses() {
+    probe "$1" "$work/none" "$2" >"$work/out"
+    local code=$?
+    if [ $code = 1 ] && grep -qF -- "$3" "$work/err"; then good "probe $1 '$2' is refused"; else bad "probe $1 '$2': exit $code, $(cat "$work/err")"; fi
+}
+
+[ "$("$program" steps | wc -l)" = 15 ] && good "steps lists 15" || bad "steps does not list 15"
+gives 1.1 "call 1 1 0 0 -1 0 0 1" "0 0 1"
+gives 2.2 "call 1 1 0 0 1 0 1 0" "0 1 0"
+gives 3.2 "call 1 1 1 0.666667" "0.039999906"
+gives 3.3 "call 1 1 1.25 1.5 1.75 0" "1.5"
+gives 3.1 "call 1 1 0.8 0 -0.6 0 0 1 1.5" "0 -77 -77 -77" # total reflection leaves its result alone
+gives 1.6 "call 1 1 5 0 0 0 0 0 0 1 0 0 1 0 0.5 0.5 0.5 0 0 0 1 0" "0 0 0"
+refuses 1.1 "call 1 1 0 0 -1 0 0" "the arguments do not fit step 1.1"
+refuses 1.1 "call 1 1 0 0 -1 0 0 1 7" "the arguments do not fit step 1.1"
+refuses 1.1 "call 0 1 0 0 -1 0 0 1" "the arguments do not fit step 1.1"
+refuses 1.1 "cal 1 1" "no kind of case"
+refuses 1.5 "call 1 1" "not called alone"
+refuses 1.1 "paths no.yaml 10 1 5 1.5 1" "no.yaml"
+refuses 1.1 "paths scenes/prism.yaml 10 1 5 9.9 1" "no choice"
+
+# The same seed, the same numbers; another, others.
+a=$(probe 2.1 "$work/none" "call 3 7 20")
+b=$(probe 2.1 "$work/none" "call 3 7 20")
+c=$(probe 2.1 "$work/none" "call 3 8 20")
+if [ -n "$a" ] && [ "$a" = "$b" ] && [ "$a" != "$c" ]; then good "seeds decide the numbers"; else bad "seeds: $a | $b | $c"; fi
+
+# A step that is not there ends the program with a word about it; with it, the pass runs.
+if probe 1.2 "$work/none" "call 1 1 0 0 0 1 0 0 0 0 1 1 1 1" >/dev/null; then
+    bad "an absent step was called without a word"
+elif grep -q "a step was called that is not there" "$work/err"; then
+    good "a step that is absent says so"
+else
+    bad "absent step: $(cat "$work/err")"
+fi
+for case in "paths scenes/box_glass.yaml 100 2 9 3.4 1" "picture scenes/box_glass.yaml 8 8 500 20 9 2.3,1.5 1"; do
+    numbers=$(probe 1.1 "$solutions" "$case" | wc -w)
+    check "$numbers > 100" "probe 1.1 $case"
+done
+if "$program" probe --step 9.9 --object a --references b c >/dev/null 2>"$work/err"; then bad "step 9.9 is taken"; else good "step 9.9 is refused"; fi
+finish

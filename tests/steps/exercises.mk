@@ -1,0 +1,66 @@
+# Students' code: how it is built, and what students do with it. Included by the Makefile.
+#
+# CODE is the folder with the student's files, laid out as exercises/. Its objects go to CODE_BUILD, one folder for each CODE, so
+# that two submissions never mix.
+CODE ?= exercises
+ifeq ($(or $(patsubst %/,%,$(CODE)),exercises),exercises)
+CODE_SOURCE := exercises
+CODE_BUILD   = $(BUILD)/exercises
+else
+CODE_QUOTED := '$(subst ','\'',$(patsubst %/,%,$(CODE)))'
+CODE_KEY    := $(shell cd $(CODE_QUOTED) 2>/dev/null && pwd -P | cksum | tr ' ' -)
+CODE_BUILD   = $(BUILD)/code/$(CODE_KEY)
+# A name that make would stumble over, with a blank in it say, is gone round by a link.
+CODE_SOURCE := $(if $(CODE_KEY),$(shell cd $(CODE_QUOTED) && case $(CODE_QUOTED) in \
+                 (*[!A-Za-z0-9._/-]*) link='$(abspath $(BUILD))/code/$(CODE_KEY)/source'; mkdir -p "$${link%/source}"; \
+                     ln -sfn "`pwd -P`" "$$link"; echo '$(BUILD)/code/$(CODE_KEY)/source';; \
+                 (*) echo $(CODE_QUOTED);; esac))
+endif
+CODE_OBJECTS := $(patsubst $(CODE_SOURCE)/%.c,$(CODE_BUILD)/%.so,$(wildcard $(CODE_SOURCE)/[0-9]*_*/*.c))
+
+# A file that does not compile loses its object, so that the reference plays there and not what compiled yesterday. It is no
+# error for make: the other steps go on.
+define BUILD_STEP
+	@mkdir -p $(@D)
+	$(call say,cc,$<)
+	$(Q)$(CC) $(CFLAGS) $(PLUGIN) -MMD -MP -MT $@ -MF $(@:.so=.d) $< -o $@.new && mv $@.new $@ || \
+	    { rm -rf $@ $@.new*; echo "  ✗ $< does not compile; the reference plays in its place"; }
+endef
+
+$(BUILD)/exercises/%.so: exercises/%.c
+	$(BUILD_STEP)
+
+ifneq ($(CODE_SOURCE),exercises)
+$(CODE_BUILD)/%.so: $(CODE_SOURCE)/%.c
+	$(BUILD_STEP)
+endif
+
+-include $(wildcard $(CODE_BUILD)/*/*.d)
+
+# Objects whose source is gone must not play either.
+.PHONY: code-built exercises-built code-there
+code-there:
+	@test -n "$(CODE_SOURCE)" || { echo "CODE=$(CODE): no such folder" >&2; exit 2; }
+	@for so in $(CODE_BUILD)/*/*.so; do \
+	    c=$${so#$(CODE_BUILD)/}; [ -e "$(CODE_SOURCE)/$${c%.so}.c" ] || rm -f "$$so"; done
+code-built: code-there $(CODE_OBJECTS)
+exercises-built: code-built
+
+.PHONY: exercises check-exercises hint reset
+
+## hint            a hint for a step, each call one that tells more: make hint STEP=2.1
+hint: $(PROGRAM)
+	@sh tests/steps/hint.sh $(PROGRAM) "$$STEP" $(BUILD)
+
+## reset           the empty step again; your file is kept beside it: make reset STEP=2.1
+reset:
+	@sh tests/steps/reset.sh "$$STEP"
+
+## exercises       bring the empty steps up to date with solutions/; files that were worked on stay as they are
+exercises:
+	@bash tests/steps/make_exercises.sh write
+
+##   check-exercises   exercises/ is what solutions/ gives, and nothing in it is solved
+check-exercises: all
+	@PROGRAM='$(PROGRAM)' STUB_FLAGS='$(STANDARD) $(OPTIMISE) -Ilib $(PKG_CFLAGS)' CODE_FLAGS='-fPIC $(PLUGIN)' \
+	    bash tests/steps/make_exercises.sh check

@@ -1,0 +1,148 @@
+#!/usr/bin/env bash
+# Stubs from solutions. Usage: make_exercises.sh write|check
+#
+#   write   brings exercises/ and the pristine copies in exercises/.stubs/ up to what solutions/ gives. A file that somebody has
+#           worked on, that is one which differs from its pristine copy, is never touched.
+#   check   says in which way exercises/ is not what solutions/ gives, and builds every stub. Needs PROGRAM (build/photonlab) and
+#           STUB_FLAGS (what students' files are compiled with); CODE_FLAGS makes a shared object of them.
+#
+# solutions/ and exercises/ are those of the folder it runs in.
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+pristine=exercises/.stubs
+
+# generate DIRECTORY: all stubs, there.
+generate() {
+    local solution file name
+    for solution in solutions/*/*.c; do
+        file=${solution#solutions/}
+        name=$(basename "$file" .c)
+        mkdir -p "$1/${file%/*}"
+        awk -v id="${name%%_*}" -v symbol="${name#*_}" -f "$here/stub.awk" "$solution" >"$1/$file" || return 1
+    done
+}
+
+# replace NEW FILE: in one piece, so that a build beside never reads half a file.
+replace() {
+    mkdir -p "$(dirname "$2")" && cp "$1" "$2.new" && mv "$2.new" "$2"
+}
+
+write() {
+    generate "$work/stubs" || exit 1
+    local written=0 kept=0 stub file
+    for stub in "$work"/stubs/*/*.c; do
+        file=${stub#"$work/stubs/"}
+        if cmp -s "$stub" "exercises/$file"; then
+            :
+        elif [ ! -e "exercises/$file" ] || cmp -s "exercises/$file" "$pristine/$file"; then
+            replace "$stub" "exercises/$file" || exit 1
+            written=$((written + 1))
+            echo "wrote exercises/$file"
+        else
+            kept=$((kept + 1))
+            name=$(basename "$file")
+            echo "left alone: exercises/$file has been worked on; \`make reset STEP=${name%%_*}\` keeps it beside the new stub"
+        fi
+        cmp -s "$stub" "$pristine/$file" || replace "$stub" "$pristine/$file" || exit 1
+    done
+    echo "$written stubs written, $kept left alone"
+}
+
+# verdict TEXT COMMAND…: a line for a command that must succeed, with what it says when it does not.
+verdict() {
+    local text=$1 said
+    shift
+    if said=$("$@" 2>&1); then good "$text"; else bad "$text${said:+: $said}"; fi
+}
+
+same_file() {
+    cmp -s "$1" "$2" || { echo "$2 differs; \`make exercises\` brings it up to date unless it has been worked on" && false; }
+}
+
+no_todo() {
+    ! grep -nw 'todo' "$1"
+}
+
+calls_todo_once() {
+    [ "$(grep -c "^    todo(\"$2\").*; // take this line away" "$1")" = 1 ] || { echo "$1 has no line todo(\"$2\")" && false; }
+}
+
+# No line of code of the solution, apart from those at the margin and words like `return true;`.
+no_solution_code() {
+    awk 'NR == FNR { if ($0 ~ /^ / && $0 !~ /^ *\/\//) { sub(/^ */, ""); if (length($0) >= 16) code[$0] = 1 } next }
+         { line = $0; sub(/^ */, "", line); if (line in code) { print FILENAME " gives away: " line; found = 1 } }
+         END { exit found }' "$1" "$2"
+}
+
+in_readme() {
+    grep -q "^| $2 |.*$3" "$1" || { echo "$1 has no row for it" && false; }
+}
+
+# build COMPILER FILE OBJECT; flags fall apart into words.
+build() {
+    # shellcheck disable=SC2086
+    "$1" $STUB_FLAGS $CODE_FLAGS -Werror "$2" -o "$3"
+}
+
+# What students have at once: the stub without the line that marks it. A warning about parameters is meant to come then.
+builds_when_started() {
+    grep -v '// take this line away when you start' "$2" >"$work/started.c"
+    # shellcheck disable=SC2086
+    "$1" $STUB_FLAGS -Werror -Wno-error=unused-parameter -Wno-error=unused-function -fsyntax-only "$work/started.c" 2>&1 |
+        { ! grep -A3 'error:'; }
+}
+
+# The stub as it stands in exercises/, so that what is handed out is what is checked.
+check_step() {
+    local file=$1 name id cc
+    name=$(basename "$file" .c)
+    id=${name%%_*}
+    verdict "$id solution: does not call todo" no_todo "solutions/$file"
+    verdict "$id stub: as its solution gives it" same_file "$work/stubs/$file" "exercises/$file"
+    verdict "$id stub: pristine copy" same_file "$work/stubs/$file" "$pristine/$file"
+    verdict "$id stub: is marked as not started" calls_todo_once "exercises/$file" "$id"
+    verdict "$id stub: holds no line of the solution" no_solution_code "solutions/$file" "exercises/$file"
+    verdict "$id README: is in its stage's table" in_readme "exercises/${file%/*}/README.md" "$id" "${file##*/}"
+    for cc in gcc clang; do
+        mkdir -p "$work/$cc/${file%/*}"
+        verdict "$id stub: $cc builds it without a warning" build $cc "exercises/$file" "$work/$cc/${file%.c}.so"
+    done
+    verdict "$id stub: builds when it is started" builds_when_started gcc "exercises/$file"
+}
+
+# All of them are found not started by the program, whoever compiled them.
+check_not_started() {
+    local cc id ids
+    ids=$("$PROGRAM" steps | cut -f1)
+    for cc in gcc clang; do
+        "$PROGRAM" render scenes/box_diffuse.yaml --size 8x8 --photons 100 --samples 1 -o "$work/a.png" --code "$work/$cc" \
+            >"$work/said" 2>&1 || bad "the program does not run with the stubs by $cc: $(head -1 "$work/said")"
+        for id in $ids; do
+            verdict "$id stub: counts as not started, built by $cc" grep -q "^not started.*: .*\b$id\b" "$work/said"
+        done
+    done
+}
+
+check() {
+    local file
+    generate "$work/stubs" >"$work/said" 2>&1 || { bad "no stubs: $(cat "$work/said")"; finish; exit 1; }
+    verdict "as many solutions as the program has steps" \
+        [ "$(ls solutions/*/*.c | wc -l)" -eq "$("$PROGRAM" steps | wc -l)" ]
+    for file in exercises/*/*.c "$pristine"/*/*.c; do
+        file=${file#"$pristine/"}
+        file=${file#exercises/}
+        [ -e "$work/stubs/$file" ] || bad "exercises/$file: no solution gives it"
+    done
+    for file in "$work"/stubs/*/*.c; do
+        check_step "${file#"$work/stubs/"}"
+    done
+    check_not_started
+    finish
+}
+
+case ${1:-} in
+write) write ;;
+check) check ;;
+*) echo "usage: make_exercises.sh write|check" >&2; exit 2 ;;
+esac
