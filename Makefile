@@ -55,6 +55,7 @@ object   = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 LIBRARY  = $(BUILD)/libphotonlab.so
 PROGRAM  = $(BUILD)/photonlab
 STEPS    = $(STEP_SOURCES:%.c=$(BUILD)/%.so)
+-include prebuilt/steps.mk
 TESTS    = $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/tests/%)
 MESHES   = $(addprefix scenes/meshes/,diamond.obj bumpy_sphere.obj ring.obj)
 
@@ -97,8 +98,8 @@ scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
 	@mkdir -p $(@D)
 	$(Q)$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
 
--include tests/judge/judge.mk
--include tests/steps/exercises.mk
+include tests/steps/exercises.mk tests/judge/judge.mk
+-include tests/class/class.mk tests/mistakes/grader.mk
 
 # ---- what there is to do; `make help` prints the lines with two hashes ----
 

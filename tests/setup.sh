@@ -2,7 +2,9 @@
 # Installs what building and testing need, where the system's package manager is apt; elsewhere says what to install.
 set -eu
 
-packages="gcc make pkg-config libpng-dev libcyaml-dev libyaml-dev libcmocka-dev clang libomp-dev xz-utils"
+packages="gcc make pkg-config libpng-dev libcyaml-dev libyaml-dev libcmocka-dev clang libomp-dev xz-utils
+ binutils libgsl-dev libjansson-dev libseccomp-dev libarchive-dev bubblewrap gdb patch parallel zip unzip jq libxml2-utils perl"
+packages=$(echo $packages)
 
 others='photonlab needs a C99 compiler, GNU make, libpng, libcyaml and libyaml; its tests also cmocka, clang with OpenMP, and xz.
   Fedora     sudo dnf install gcc make pkgconf libpng-devel libcyaml-devel libyaml-devel libcmocka-devel clang libomp-devel xz

@@ -17,6 +17,7 @@ static const char help[] =
     "  --step ID          which step, e.g. 2.1\n"
     "  --object FILE      the step's shared object\n"
     "  --references DIR   solutions for the other steps, laid out like build/solutions\n"
+    "  --root DIR         where the cases' scenes are looked for (the working directory)\n"
     "  -o FILE            where to write; or\n"
     "  --fd N             an open file descriptor to write to\n"
     "  --only N           run case N alone (from 0)\n"
@@ -25,7 +26,7 @@ static const char help[] =
 #define MOST_CASE_BYTES (16u << 20)
 
 typedef struct {
-    const char *step, *object, *references, *out, *cases;
+    const char *step, *object, *references, *root, *out, *cases;
     int fd, only;
     bool print;
 } Arguments;
@@ -116,6 +117,15 @@ bool probe_at_end(ProbeLine *line)
     return line->rest[strspn(line->rest, " ")] == '\0';
 }
 
+static const char *scene_root = ".";
+
+Scene *probe_scene(const char *path, Error *error)
+{
+    char whole[4096];
+    snprintf(whole, sizeof whole, "%s/%s", scene_root, path);
+    return scene_load(path[0] == '/' ? path : whole, error);
+}
+
 static bool run_case(const StepInfo *step, char *text, ProbeOutput *output, Error *error)
 {
     ProbeLine line = {text, false};
@@ -197,6 +207,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"step", FLAG_TEXT, &a->step, 0, 0},
         {"object", FLAG_TEXT, &a->object, 0, 0},
         {"references", FLAG_TEXT, &a->references, 0, 0},
+        {"root", FLAG_TEXT, &a->root, 0, 0},
         {"o", FLAG_TEXT, &a->out, 0, 0},
         {"fd", FLAG_INT, &a->fd, 0, 1000},
         {"only", FLAG_INT, &a->only, 0, 1e9},
@@ -228,6 +239,7 @@ int command_probe(int count, char **arguments)
     const StepInfo *step = find_step(a.step);
     if (!step)
         return report_usage("probe", "--step %s: no such step", a.step);
+    scene_root = a.root ? a.root : ".";
     parallel_limit(1); // grading runs one probe per core
     Error error = {""};
     size_t size;

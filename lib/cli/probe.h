@@ -5,7 +5,7 @@
 //   call COUNT SEED ARGUMENT…      the step COUNT times, call i with the random stream (SEED, i); see probe_calls.c
 //   paths SCENE PHOTONS BATCHES DEPTH STEPS SEED             photon passes in BATCHES parts; see probe_paths.c
 //   picture SCENE WIDTH HEIGHT PHOTONS K DEPTH STEPS SEED    one picture, photons only, one eye ray a pixel
-// STEPS is what `--steps` takes. The numbers are written as they come off this machine, case by case:
+// SCENE is a path from --root, STEPS what `--steps` takes. The numbers are written as they come off this machine, case by case:
 //   "photonlab probe 1\n", then for every case two uint32 (its number from 0, how many floats) and the floats.
 #ifndef PHOTONLAB_CLI_PROBE_H
 #define PHOTONLAB_CLI_PROBE_H
@@ -41,6 +41,7 @@ uint64_t probe_seed(ProbeLine *line);
 Vec3 probe_vec3(ProbeLine *line);
 Colour probe_colour(ProbeLine *line);
 bool probe_at_end(ProbeLine *line);
+Scene *probe_scene(const char *path, Error *error); // from --root
 
 // The three kinds of case. False, with a reason, when a line is broken or a scene cannot be had.
 bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output, Error *error);

@@ -16,7 +16,7 @@ typedef struct {
 typedef struct {
     double emitted[3], absorbed[3], escaped[3], cut[3], chance[3], chance_error[3]; // W; see Ledger
     double segments, unsound;                                                       // see PhotonPass
-    double unusual; // photons at rest whose power is negative or no number, or whose material or colour is none of these
+    double unusual; // photons at rest with a negative power, one that is no number, or of a material beyond those
     BatchSum stored[BATCH_MATERIALS][BATCH_COLOURS];
     BatchSum bounces[BATCH_BOUNCES]; // by surfaces met before; the last: as many or more
     double paths[BATCH_PATHS];       // how many

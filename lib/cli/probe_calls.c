@@ -1,4 +1,19 @@
-// `call` cases: a step's arguments out of a line, its results into the output.
+// `call` cases: a step's arguments out of a line, its results into the output. What each step is given stands in
+// read_call, what is written per call in run_call; vectors and colours are three numbers.
+//
+//   step   arguments                                    results
+//   1.1    direction, normal                            direction
+//   1.2    corner, edge u, edge v, radiance             photon: position, direction, power, colour, bounce
+//   1.3    normal                                       direction
+//   1.4    power, reflectance                           survived, power
+//   1.6    see read_surroundings                        radiance
+//   2.1    exponent                                     direction
+//   2.2    local, axis                                  direction
+//   2.3 2.4  direction, normal, exponent                true, direction, weight
+//   3.1    direction, normal, eta                       true, direction
+//   3.2    cos_i, eta                                   reflectance
+//   3.3    three indices, colour                        index
+//   3.5    three indices, position, direction, power, colour, bounce       count, three photons
 #include "cli/probe.h"
 
 #include <stdlib.h>
@@ -52,7 +67,8 @@ static void read_light(ProbeLine *line, Light *light)
     light->power = colour_scale(light->radiance, PI * light->area);
 }
 
-// k, radius (0: no limit), point, normal, wo; glossy? ρ_d, ρ_s, exponent; count, then position, power, wi of each.
+// k, radius (0: no limit), point, normal, wo; surface (0 diffuse, 1 glossy as step 2.4 plays it, 2 as 2.3), ρ_d, ρ_s,
+// exponent; count, then position, power, wi of each photon.
 static bool read_surroundings(ProbeLine *line, Call *call, Error *error)
 {
     call->gather.k = (size_t)probe_whole(line, 1, 1000);
@@ -61,12 +77,15 @@ static bool read_surroundings(ProbeLine *line, Call *call, Error *error)
     call->hit.position = probe_vec3(line);
     call->hit.normal = call->hit.face_normal = probe_vec3(line);
     call->b = probe_vec3(line);
-    call->material.type = probe_whole(line, 0, 1) ? MATERIAL_GLOSSY : MATERIAL_DIFFUSE;
+    long surface = probe_whole(line, 0, 2);
+    call->material.type = surface ? MATERIAL_GLOSSY : MATERIAL_DIFFUSE;
+    call->gather.glossy = surface == 2 ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG;
     call->material.diffuse = probe_colour(line);
     call->material.specular = probe_colour(line);
     call->material.exponent = (float)probe_number(line);
-    lobe_table_fill(&call->lobe, call->material.exponent);
-    call->material.lobe = &call->lobe;
+    if (surface)
+        lobe_table_fill(&call->lobe, call->material.exponent);
+    call->material.lobe = surface ? &call->lobe : NULL;
     call->hit.material = &call->material;
     call->hit.entering = true;
     long count = probe_whole(line, 0, MOST_PHOTONS);

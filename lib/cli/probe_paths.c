@@ -101,7 +101,7 @@ bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error)
     const char *path = probe_word(line);
     c.photons = probe_whole(line, 1, 10000000);
     c.batches = probe_whole(line, 1, 10000);
-    if (!read_common(line, &c, error) || !(c.scene = scene_load(path, error)))
+    if (!read_common(line, &c, error) || !(c.scene = probe_scene(path, error)))
         return false;
     steps_play(c.play);
     bool ok = run_batches(&c, output, error);
@@ -117,7 +117,7 @@ bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error)
     c.height = probe_whole(line, 1, 1024);
     c.photons = probe_whole(line, 1, 10000000);
     c.k = probe_whole(line, 1, 10000);
-    if (!read_common(line, &c, error) || !(c.scene = scene_load(path, error)))
+    if (!read_common(line, &c, error) || !(c.scene = probe_scene(path, error)))
         return false;
     RenderOptions options = {.integrator = INTEGRATOR_PHOTONS_ONLY,
                              .settings = c.scene->settings,

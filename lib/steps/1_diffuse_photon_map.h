@@ -1,4 +1,5 @@
-// Stage 1, diffuse photon map: the contracts of its steps. Each is one function in one file.
+// Stage 1, diffuse photon map: the contracts of its steps. Each is one function in one file. A step may call those that
+// its contract names, as steps.scatter_diffuse(…), and any function of the library.
 #ifndef PHOTONLAB_STEPS_DIFFUSE_PHOTON_MAP_H
 #define PHOTONLAB_STEPS_DIFFUSE_PHOTON_MAP_H
 
@@ -22,7 +23,7 @@ Vec3 scatter_diffuse(Vec3 normal, Rng *rng);
 // 1.4  Russian roulette (Arvo & Kirk 1990): does the photon survive a surface of this reflectance (0…1 per channel)?
 //          p = min(1, Σ Φ_c ρ_c / Σ Φ_c)
 // A survivor's power becomes Φ_c ρ_c / p, so that the mean over many photons is Φρ. False: absorbed, power is left
-// alone.
+// alone. A photon without power stays without, and never becomes NaN.
 bool russian_roulette(Colour *power, Colour reflectance, Rng *rng);
 
 // 1.5  The life of one photon, as a loop: fly, store where it lands on a rough surface, then by the material
@@ -38,7 +39,7 @@ void trace_photon(PhotonTrace *trace, Photon photon, Rng *rng);
 //          L = 3/(πr²) Σ f_r(wi, wo) Φ (1 − d/r)
 // d: a photon's distance; r: the radius that gather_near reports, the distance to the k-th photon or the largest
 // allowed. Only photons that arrived on the side of hit->normal count. No cosine: the flux Φ has it already. `wo` is
-// the unit direction to the eye.
+// the unit direction to the eye. No photon near: 0.
 Colour estimate_radiance(const PhotonMap *map, const Hit *hit, Vec3 wo, Gather *gather);
 
 #endif

@@ -1,0 +1,30 @@
+// The parts of `calibrate`: reference.c makes the files, measure.c counts failures.
+#ifndef PHOTONLAB_JUDGE_CALIBRATE_H
+#define PHOTONLAB_JUDGE_CALIBRATE_H
+
+#include "groups.h"
+
+typedef struct {
+    const char *build, *out, *step, *object, *name;
+    long renders, groups, measure, seed;
+    int jobs;
+} Arguments;
+
+enum { PURPOSE_SPREAD, PURPOSE_THRESHOLDS, PURPOSE_MEASURE };
+
+// No purpose shares a picture with another, nor a set with another.
+// Plays a->object, or the solution.
+GroupRun group_run(const Arguments *a, const PictureSet *set, uint64_t purpose, long groups);
+
+// Memory, or the end of the program.
+void *must(void *memory);
+
+void sort(double *values, long count);
+
+// Writes a set's files and says what it found. False, having said why, when that fails.
+bool calibrate_set(const Arguments *a, const PictureSet *set);
+
+// Judges fresh groups and prints one line, and the first failure's message.
+bool measure_set(const Arguments *a, const PictureSet *set);
+
+#endif

@@ -1,0 +1,82 @@
+#define _GNU_SOURCE // popen, mkstemp
+#include "groups.h"
+
+#include "cli/probe.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define BLOCK 10 // groups that one probe draws
+
+// The block's pictures, planned as the judge plans them. The path's last six letters are filled in.
+static bool write_cases(const GroupRun *run, long block, long groups, char *path)
+{
+    Plan plan = {.seed = hash_u64(run->seed + hash_u64((uint64_t)block))};
+    for (long i = 0; i < groups; i++)
+        picture_set_plan(run->set, &plan);
+    int fd = mkstemp(path);
+    FILE *file = fd >= 0 ? fdopen(fd, "w") : NULL;
+    for (size_t i = 0; i < plan.count; i++) {
+        if (file)
+            fprintf(file, "%s\n", plan.lines[i]);
+        free(plan.lines[i]);
+    }
+    free(plan.lines);
+    return file && fclose(file) == 0;
+}
+
+static bool read_picture(FILE *pipe, uint32_t number, size_t floats, float *values)
+{
+    uint32_t head[2];
+    return fread(head, sizeof head, 1, pipe) == 1 && head[0] == number && head[1] == floats &&
+           fread(values, sizeof *values, floats, pipe) == floats;
+}
+
+// What the probe sends, into values.
+static bool draw(const GroupRun *run, const char *cases, size_t pictures, size_t floats, float *values)
+{
+    char command[16384], magic[sizeof PROBE_MAGIC] = "";
+    snprintf(command, sizeof command,
+             "'%s/photonlab' probe --step %s --object '%s' --references '%s/solutions' --fd 3 '%s' 3>&1 1>/dev/null",
+             run->build, run->step, run->object, run->build, cases);
+    FILE *pipe = popen(command, "r");
+    if (!pipe)
+        return false;
+    bool ok = fread(magic, strlen(PROBE_MAGIC), 1, pipe) == 1 && strcmp(magic, PROBE_MAGIC) == 0;
+    for (size_t i = 0; ok && i < pictures; i++)
+        ok = read_picture(pipe, (uint32_t)i, floats, values + i * floats);
+    return pclose(pipe) == 0 && ok;
+}
+
+static bool run_block(const GroupRun *run, long block, void (*each)(long, const Results *, void *), void *data)
+{
+    long first = block * BLOCK, groups = run->groups - first < BLOCK ? run->groups - first : BLOCK;
+    size_t floats = (size_t)run->set->side * (size_t)run->set->side * 3, replicates = (size_t)run->set->replicates;
+    size_t pictures = (size_t)groups * replicates;
+    float *values = malloc(pictures * floats * sizeof *values);
+    char cases[4200];
+    snprintf(cases, sizeof cases, "%s/calibrate-XXXXXX", run->build);
+    bool ok = values && write_cases(run, block, groups, cases);
+    ok = ok && draw(run, cases, pictures, floats, values);
+    unlink(cases);
+    for (long g = 0; ok && g < groups; g++) {
+        Numbers numbers[MOST_REPLICATES];
+        for (size_t r = 0; r < replicates; r++)
+            numbers[r] = (Numbers){values + ((size_t)g * replicates + r) * floats, floats};
+        each(first + g, &(Results){numbers, replicates}, data);
+    }
+    free(values);
+    return ok;
+}
+
+bool groups_run(const GroupRun *run, void (*each)(long group, const Results *pictures, void *data), void *data)
+{
+    long blocks = (run->groups + BLOCK - 1) / BLOCK;
+    bool ok = true;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(parallel_threads(run->jobs)) reduction(&& : ok)
+    for (long block = 0; block < blocks; block++)
+        ok = ok && run_block(run, block, each, data);
+    return ok;
+}

@@ -1,0 +1,193 @@
+// judge: grades a submission. It never loads a student's code: `photonlab probe` runs that, in a sandbox, and the judge
+// looks at the numbers that come out.
+#include "step_features.h"
+#include "arguments.h"
+#include "../steps/pictures.h"
+#include "points.h"
+#include "report_json.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define USUAL_SECONDS 0.012 // of the fixed task below, on the machine where the limits were chosen
+
+static void make_absolute(const char **path, char *room, size_t size)
+{
+    char absolute[4096];
+    if (realpath(*path, absolute)) {
+        snprintf(room, size, "%s", absolute);
+        *path = room;
+    }
+}
+
+// Time limits grow with the machine's slowness; a faster one gets no less.
+static double machine_speed(void)
+{
+    double start = clock_seconds();
+    Rng rng = rng_create(1, 1);
+    volatile float sum = 0.0f;
+    for (long i = 0; i < 2000000; i++)
+        sum = sum + rng_float(&rng);
+    double factor = (clock_seconds() - start) / USUAL_SECONDS;
+    return factor > 1.0 ? factor : 1.0;
+}
+
+// Found out before anybody is graded: what right code's pictures are like.
+static bool references_are_there(Error *error)
+{
+    for (int i = 0; i < PICTURE_SETS; i++) {
+        PictureReference reference;
+        if (!picture_reference_read(&picture_sets[i], judge_root, &reference, error))
+            return false;
+    }
+    return true;
+}
+
+static bool is_wanted(const Arguments *a, const StepInfo *step)
+{
+    return (!a->step || strcmp(a->step, step->id) == 0) && (a->stage == 0 || a->stage == step->stage);
+}
+
+static int exit_code(const Arguments *a, const StepResult *results, int count)
+{
+    bool all = true, none_fails = true;
+    for (int i = 0; i < count; i++) {
+        if (results[i].status == STATUS_SKIP)
+            return EXIT_UNGRADED;
+        all = all && results[i].status == STATUS_PASS;
+        none_fails = none_fails && (results[i].status == STATUS_PASS || results[i].status == STATUS_TODO);
+    }
+    return (a->strict ? all : none_fails) ? 0 : EXIT_FAILS;
+}
+
+static int grade(const Arguments *a, const PointsTable *points, StepResult *results)
+{
+    int count = 0;
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        if (!is_wanted(a, &step_table[i]))
+            continue;
+        results[count] = (StepResult){.step = &step_table[i], .status = STATUS_SKIP};
+        snprintf(results[count].message, sizeof results[count].message, "grading did not get this far");
+        points_give(points, &results[count++]);
+    }
+    return count;
+}
+
+static bool report(const Arguments *a, double seconds, const StepResult *results, int count, Error *error)
+{
+    bool sandboxed = a->grade.sandbox != SANDBOX_NONE;
+    ReportHead head = {a->grade.code, sandbox_name(a->grade.sandbox), sandboxed, seconds};
+    return !a->report || report_json_write(a->report, &head, results, count, error);
+}
+
+static int run(Arguments *a, const PointsTable *points, StepResult *results)
+{
+    double start = clock_seconds();
+    Error error = {""};
+    int count = grade(a, points, results);
+    if (count == 0) {
+        fprintf(stderr, "judge: no step %s%s\n", a->step ? a->step : "in this stage",
+                a->step ? "; `make steps` lists them" : "");
+        return EXIT_USAGE;
+    }
+    if (!report(a, 0.0, results, count, &error)) { // zero points stand there until there is something better
+        fprintf(stderr, "judge: %s\n", error.message);
+        return EXIT_UNGRADED;
+    }
+#pragma omp parallel for schedule(dynamic, 1) num_threads(parallel_threads(a->jobs))
+    for (int i = 0; i < count; i++) {
+        grade_step(&a->grade, results[i].step, &results[i]);
+        points_give(points, &results[i]);
+    }
+    if (a->features)
+        features_print(stdout, results, count);
+    else
+        print_results(results, count, a->verbose);
+    bool ok = report(a, clock_seconds() - start, results, count, &error);
+    if (!ok)
+        fprintf(stderr, "judge: %s\n", error.message);
+    int code = exit_code(a, results, count);
+    for (int i = 0; i < count; i++)
+        step_result_free(&results[i]);
+    return ok ? code : EXIT_UNGRADED;
+}
+
+const char *judge_root = ".";
+
+// What gives the solutions away. Bubblewrap does not show it; a user of its own could read what is open to all.
+static void hide(GradeOptions *g)
+{
+    const char *const in_root[] = {"solutions", "tests/alternatives", "tests/mistakes", "tests/attacks", ".git"};
+    const char *const in_build[] = {"solutions", "obj/solutions"};
+    int count = 0;
+    for (size_t i = 0; i < sizeof in_root / sizeof *in_root + sizeof in_build / sizeof *in_build; i++) {
+        bool root = i < sizeof in_root / sizeof *in_root;
+        char path[4200];
+        snprintf(path, sizeof path, "%s/%s", root ? g->root : g->build,
+                 root ? in_root[i] : in_build[i - sizeof in_root / sizeof *in_root]);
+        struct stat state;
+        if (stat(path, &state) == 0)
+            g->hidden[count++] = strdup(path);
+    }
+}
+
+// Without credit a student's own run goes on, and says what it cannot promise.
+static void warn_of_open_solutions(GradeOptions *g)
+{
+    struct stat state;
+    for (int i = 0; g->hidden[i]; i++) {
+        if (stat(g->hidden[i], &state) != 0 || !(state.st_mode & (S_IROTH | S_IXOTH)))
+            continue;
+        fprintf(stderr, "── The code could read %s. Fine for your own; grading for credit refuses.\n", g->hidden[i]);
+        memset(g->hidden, 0, sizeof g->hidden);
+        return;
+    }
+}
+
+static bool choose_sandbox(Arguments *a)
+{
+    char reason[512] = "";
+    a->grade.sandbox = sandbox_open(reason, sizeof reason);
+    hide(&a->grade);
+    if (a->grade.sandbox == SANDBOX_UID && !a->credit)
+        warn_of_open_solutions(&a->grade);
+    if (a->grade.sandbox != SANDBOX_NONE)
+        return true;
+    fprintf(stderr, "%s NO SANDBOX: %s\n", a->credit ? "judge:" : "──", reason);
+    if (!a->credit)
+        fprintf(stderr, "── The code runs with your rights. Fine for your own; do not run anyone else's like this.\n");
+    return !a->credit;
+}
+
+int main(int count, char **arguments)
+{
+    static char root[4096], build[4096], work[4096];
+    Arguments a;
+    int wrong = arguments_parse(count, arguments, &a);
+    if (wrong)
+        return wrong;
+    mkdir(a.grade.work, 0755);
+    make_absolute(&a.grade.root, root, sizeof root);
+    make_absolute(&a.grade.build, build, sizeof build);
+    make_absolute(&a.grade.work, work, sizeof work);
+    judge_root = a.grade.root;
+    if (!choose_sandbox(&a))
+        return EXIT_UNGRADED;
+    a.grade.speed = machine_speed();
+    PointsTable points;
+    Error error = {""};
+    if (!references_are_there(&error)) {
+        fprintf(stderr, "judge: %s\n", error.message);
+        return EXIT_UNGRADED;
+    }
+    if (!points_read(a.points, &points, &error)) {
+        fprintf(stderr, "judge: %s\n", error.message);
+        return EXIT_USAGE;
+    }
+    StepResult *results = calloc(STEP_COUNT, sizeof *results);
+    int code = results ? run(&a, &points, results) : EXIT_UNGRADED;
+    free(results);
+    return code;
+}

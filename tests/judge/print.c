@@ -1,0 +1,238 @@
+// What the person at the terminal reads: stages, steps, what is wrong and where to go on, and the sums.
+#include "grade.h"
+#include "report/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#define INDENT     "        "
+#define MOST_LINES 20  // of what a step printed
+#define WIDEST     100 // columns: longer lines are hard to read
+
+static const char *const marks[] = {"✓", "✗", "!", "○", "–"};
+static const char *const colours[] = {"\033[32m", "\033[31m", "\033[33m", "\033[90m", "\033[90m"};
+
+typedef struct {
+    int width;
+    bool colour;
+} Terminal;
+
+static Terminal terminal_find(void)
+{
+    Terminal terminal = {.width = 80};
+    struct winsize size;
+    const char *columns = getenv("COLUMNS"), *no_colour = getenv("NO_COLOR"), *kind = getenv("TERM");
+    bool there = isatty(STDOUT_FILENO);
+    if (columns && atoi(columns) > 0)
+        terminal.width = atoi(columns);
+    else if (there && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+        terminal.width = size.ws_col;
+    terminal.width = terminal.width < 40 ? 40 : terminal.width > WIDEST ? WIDEST : terminal.width;
+    terminal.colour = there && !(no_colour && *no_colour) && !(kind && strcmp(kind, "dumb") == 0);
+    return terminal;
+}
+
+static void paint(const Terminal *terminal, const char *code)
+{
+    if (terminal->colour)
+        fputs(code, stdout);
+}
+
+// Columns that the text takes: characters, but those that sit on the one before.
+static int columns_of(const char *text, size_t size)
+{
+    int columns = 0;
+    for (size_t i = 0; i < size;) {
+        unsigned long code = 0;
+        size_t length = text_character((const unsigned char *)text + i, size - i, &code);
+        columns += !(code >= 0x300 && code <= 0x36f);
+        i += length > 0 ? length : 1;
+    }
+    return columns;
+}
+
+static char *clean(const char *text)
+{
+    char *copy = text_clean(text, strlen(text), 65536);
+    if (!copy)
+        exit(3);
+    return copy;
+}
+
+// Breaks the text at blanks where a line is full. A word longer than a line stays whole: it may be a path to copy.
+static void print_wrapped(const Terminal *terminal, const char *text)
+{
+    char *words = clean(text), *rest = NULL;
+    int column = 0, room = terminal->width - (int)sizeof INDENT + 1;
+    fputs(INDENT, stdout);
+    for (char *word = strtok_r(words, " \n\t", &rest); word; word = strtok_r(NULL, " \n\t", &rest)) {
+        int width = columns_of(word, strlen(word));
+        if (column > 0 && column + 1 + width > room) {
+            fputs("\n" INDENT, stdout);
+            column = 0;
+        }
+        printf("%s%s", column > 0 ? " " : "", word);
+        column += width + (column > 0);
+    }
+    putchar('\n');
+    free(words);
+}
+
+static size_t lines_in(const char *text)
+{
+    size_t lines = 0;
+    for (; *text; text = text + strcspn(text, "\n") + (text[strcspn(text, "\n")] == '\n'))
+        lines++;
+    return lines;
+}
+
+// Lines as they stand, since a compiler's point at columns. `first`: the first ones; otherwise the last.
+static void print_lines(const char *text, bool first)
+{
+    char *lines = clean(text), *line = lines;
+    size_t count = lines_in(lines), skip = count > MOST_LINES ? count - MOST_LINES : 0;
+    if (skip > 0 && !first)
+        printf(INDENT "… %zu lines before\n", skip);
+    for (size_t i = 0; i < count; i++) {
+        size_t length = strcspn(line, "\n");
+        if (first ? i < MOST_LINES : i >= skip)
+            printf(INDENT "%.*s\n", (int)length, line);
+        line += length + (line[length] == '\n');
+    }
+    if (skip > 0 && first)
+        printf(INDENT "… %zu more lines\n", skip);
+    free(lines);
+}
+
+static void print_dim(const Terminal *terminal, const char *before, const char *text)
+{
+    char line[2048];
+    snprintf(line, sizeof line, "%s%s", before, text);
+    paint(terminal, "\033[2m");
+    print_wrapped(terminal, line);
+    paint(terminal, "\033[0m");
+}
+
+// Title to the left, points to the right.
+static void print_title(const Terminal *terminal, const StepResult *result)
+{
+    char points[40], most[40], right[90];
+    snprintf(right, sizeof right, "%s/%s", text_points(result->points, points, sizeof points),
+             text_points(result->points_max, most, sizeof most));
+    int used = 4 + columns_of(result->step->id, strlen(result->step->id)) + 1 +
+               columns_of(result->step->title, strlen(result->step->title)) + (int)strlen(right);
+    int gap = (terminal->width < 70 ? terminal->width : 70) - used;
+    paint(terminal, colours[result->status]);
+    printf("  %s ", marks[result->status]);
+    paint(terminal, "\033[0m");
+    printf("%s %s%*s%s\n", result->step->id, result->step->title, gap > 2 ? gap : 2, "", right);
+}
+
+static void print_check(const Terminal *terminal, const CheckResult *check)
+{
+    char line[2048];
+    const Finding *finding = &check->finding;
+    int used = snprintf(line, sizeof line, "%s %s", marks[check->status], check->check->title);
+    if (check->check->kind == CHECK_PICTURE && finding->T_threshold > 0.0)
+        snprintf(line + used, sizeof line - (size_t)used, ": T %.2f of %.2f, V %.2f of %.2f", finding->T,
+                 finding->T_threshold, finding->V, finding->V_threshold);
+    else if (finding->tests > 0)
+        snprintf(line + used, sizeof line - (size_t)used, ": p = %.2g, wrong below %.2g", finding->p, check->threshold);
+    print_dim(terminal, "", line);
+}
+
+// Nothing ran: then the output is the compiler's, and its first lines matter.
+static bool nothing_ran(const StepResult *result)
+{
+    for (int i = 0; i < result->check_count; i++)
+        if (result->checks[i].status != STATUS_SKIP)
+            return false;
+    return true;
+}
+
+static void print_details(const Terminal *terminal, const StepResult *result)
+{
+    char line[1024];
+    print_wrapped(terminal, *result->message ? result->message : "no reason is known");
+    if (*result->where)
+        print_dim(terminal, "in ", result->where);
+    if (*result->looks_like) {
+        snprintf(line, sizeof line, "looks like: %s", result->looks_like);
+        paint(terminal, "\033[1m");
+        print_wrapped(terminal, line);
+        paint(terminal, "\033[0m");
+    }
+    if (*result->output) {
+        if (!nothing_ran(result))
+            print_dim(terminal, "", "printed:");
+        print_lines(result->output, nothing_ran(result));
+    }
+    if (result->status == STATUS_SKIP)
+        return;
+    snprintf(line, sizeof line, "make hint STEP=%s · chapter %s", result->step->id, result->step->chapter);
+    print_dim(terminal, "", line);
+}
+
+static void print_step(const Terminal *terminal, const StepResult *result, bool verbose)
+{
+    print_title(terminal, result);
+    if (result->status != STATUS_PASS && result->status != STATUS_TODO)
+        print_details(terminal, result);
+    else if (verbose && result->status == STATUS_PASS && *result->output)
+        print_lines(result->output, false);
+    for (int i = 0; verbose && result->status != STATUS_TODO && i < result->check_count; i++)
+        print_check(terminal, &result->checks[i]);
+}
+
+// "1_diffuse_photon_map/1.1_reflect" names its stage.
+static void print_stage(const Terminal *terminal, const StepInfo *step)
+{
+    size_t length = strcspn(step->file, "/"), start = strcspn(step->file, "_") + 1;
+    paint(terminal, "\033[1m");
+    printf("\nStage %d · ", step->stage);
+    for (size_t i = start; i < length; i++)
+        putchar(step->file[i] == '_' ? ' ' : step->file[i]);
+    paint(terminal, "\033[0m");
+    putchar('\n');
+}
+
+static void print_sums(const StepResult *results, int count)
+{
+    int of[5] = {0}, hidden = 0;
+    double points = 0.0, points_max = 0.0;
+    char room[40], most[40];
+    for (int i = 0; i < count; i++) {
+        hidden += results[i].hidden;
+        if (results[i].hidden)
+            continue;
+        of[results[i].status]++;
+        points += results[i].points;
+        points_max += results[i].points_max;
+    }
+    printf("\n%s of %s points", text_points(points, room, sizeof room), text_points(points_max, most, sizeof most));
+    if (hidden > 0)
+        printf("; %d hidden step%s graded, too", hidden, hidden == 1 ? " is" : "s are");
+    printf("\n%d not started", of[STATUS_TODO]);
+    if (of[STATUS_SKIP] > 0)
+        printf(", %d not checked", of[STATUS_SKIP]);
+    printf("\n%d passed, %d failed\n", of[STATUS_PASS], of[STATUS_FAIL] + of[STATUS_ERROR]);
+}
+
+// Hidden steps are in no line and no sum: what a student reads here must not tell how they went.
+void print_results(const StepResult *results, int count, bool verbose)
+{
+    Terminal terminal = terminal_find();
+    int stage = 0;
+    for (int i = 0; i < count; i++) {
+        if (results[i].hidden)
+            continue;
+        if (results[i].step->stage != stage)
+            print_stage(&terminal, results[i].step);
+        stage = results[i].step->stage;
+        print_step(&terminal, &results[i], verbose);
+    }
+    print_sums(results, count);
+    fflush(stdout);
+}

@@ -1,0 +1,56 @@
+// Gradescope's results.json: a test per step. Gradescope itself keeps hidden ones from the student, and adds up the
+// scores.
+#include "report.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MOST_OUTPUT 8192
+
+static const char *visibility_of(const ReportStep *step)
+{
+    if (!step->hidden)
+        return "visible";
+    return *step->due ? "after_due_date" : "hidden";
+}
+
+static json_t *test_of(const Report *report, const ReportStep *step)
+{
+    char name[8200], tag[32];
+    snprintf(name, sizeof name, "%s %s", step->id, step->title);
+    snprintf(tag, sizeof tag, "stage %d", step->stage);
+    char *words = words_of_step(step, MOST_OUTPUT);
+    json_t *test = json_pack("{s:f, s:f, s:s, s:s, s:s, s:s, s:s, s:[s], s:s, s:{s:s, s:s, s:f}}", "score",
+                             report->credit ? step->points : 0.0, "max_score", step->points_max,      //
+                             "status", step->status == REPORT_PASS ? "passed" : "failed",             //
+                             "name", name, "number", step->id, "output", words ? words : "",          //
+                             "output_format", "text", "tags", tag, "visibility", visibility_of(step), //
+                             "extra_data", "status", report_status_names[step->status], "mistake", step->mistake,
+                             "seconds", step->seconds);
+    free(words);
+    return test;
+}
+
+bool report_gradescope(const Report *report, FILE *stream, Error *error)
+{
+    ReportSums sums = report_sums(report, false);
+    char summary[400];
+    snprintf(summary, sizeof summary, "%s%zu passed, %zu failed, %zu with an error, %zu not started%s",
+             report->credit ? "" : "NOT FOR CREDIT: the code ran without a sandbox, so every score is 0.\n",
+             sums.of[REPORT_PASS], sums.of[REPORT_FAIL], sums.of[REPORT_ERROR], sums.of[REPORT_TODO],
+             sums.hidden ? "; hidden steps are graded, too" : "");
+    json_t *tests = json_array();
+    for (size_t i = 0; i < report->step_count; i++)
+        json_array_append_new(tests, test_of(report, &report->steps[i]));
+    json_t *whole =
+        json_pack("{s:f, s:s, s:s, s:s, s:s, s:o}", "execution_time", report->seconds, "output", summary,
+                  "output_format", "text", "visibility", "visible", "stdout_visibility", "hidden", "tests", tests);
+    if (whole && report->step_count == 0)
+        json_object_set_new(whole, "score", json_real(0.0)); // without tests there must be a score
+    bool good = whole && json_array_size(tests) == report->step_count &&
+                json_dumpf(whole, stream, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) == 0;
+    json_decref(whole);
+    fputc('\n', stream);
+    return good || error_set(error, "gradescope/results.json: cannot be made");
+}

@@ -1,0 +1,154 @@
+// index.html: one file without scripts that tells first how it stands and what to do next, then each step. It is
+// well-formed XML, too, which the tests use.
+#include "report.h"
+
+#include <string.h>
+
+static void write_points(double points, double points_max, FILE *stream)
+{
+    char room[40], most[40];
+    fprintf(stream, "<b>%s</b> of %s points", text_points(points, room, sizeof room),
+            text_points(points_max, most, sizeof most));
+}
+
+// A square a step, by stage, each leading to its step.
+static void write_strip(const Report *report, FILE *stream)
+{
+    int stage = 0;
+    fputs("<nav class=\"strip\" aria-label=\"steps\">", stream);
+    for (size_t i = 0; i < report->step_count; i++) {
+        const ReportStep *step = &report->steps[i];
+        if (!report_shows(report, step))
+            continue;
+        if (stage != 0 && stage != step->stage)
+            fputs("<span class=\"gap\"></span>", stream);
+        stage = step->stage;
+        fprintf(stream, "<a class=\"%s\" href=\"#step-%s\" title=\"", report_status_names[step->status], step->id);
+        text_markup(stream, step->title);
+        fprintf(stream, ": %s\"><i>%s</i>%s</a>", report_status_words[step->status], report_status_marks[step->status],
+                step->id);
+    }
+    fputs("</nav>\n", stream);
+}
+
+static void write_counts(const ReportSums *sums, FILE *stream)
+{
+    fputs("<p class=\"counts\">", stream);
+    for (int i = 0; i < REPORT_STATUSES; i++)
+        if (sums->of[i] > 0 || i <= REPORT_FAIL)
+            fprintf(stream, "<span class=\"%s\"><i>%s</i> %zu %s</span> ", report_status_names[i],
+                    report_status_marks[i], sums->of[i], report_status_words[i]);
+    fputs("</p>\n", stream);
+}
+
+// The first step that is wrong; if none is, the first that is not started. NULL: all is done.
+static const ReportStep *next_step(const Report *report)
+{
+    const ReportStep *open = NULL;
+    for (size_t i = 0; i < report->step_count; i++) {
+        const ReportStep *step = &report->steps[i];
+        if (!report_shows(report, step))
+            continue;
+        if (step->status == REPORT_FAIL || step->status == REPORT_ERROR)
+            return step;
+        if (step->status == REPORT_TODO && !open)
+            open = step;
+    }
+    return open;
+}
+
+static void write_next(const Report *report, const ReportSums *sums, FILE *stream)
+{
+    const ReportStep *step = next_step(report);
+    if (!step) {
+        if (sums->of[REPORT_PASS] > 0 && sums->of[REPORT_PASS] == sums->steps)
+            fputs("<p class=\"next pass\"><b>All done.</b> Every step passes.</p>\n", stream);
+        return;
+    }
+    fprintf(stream, "<p class=\"next %s\"><b>Next:</b> <a href=\"#step-%s\">%s ", report_status_names[step->status],
+            step->id, step->id);
+    text_markup(stream, step->title);
+    fputs("</a>", stream);
+    if (*step->looks_like) {
+        fputs(" — looks like ", stream);
+        text_markup(stream, step->looks_like);
+    }
+    fputs("</p>\n", stream);
+}
+
+static void write_head(const Report *report, const ReportSums *sums, FILE *stream)
+{
+    fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+          "<meta name=\"color-scheme\" content=\"light dark\"/>\n<title>photonlab · ",
+          stream);
+    text_markup(stream, report->submission);
+    fputs("</title>\n<style>\n", stream);
+    for (size_t i = 0; report_style[i]; i++)
+        fputs(report_style[i], stream);
+    fputs("</style>\n</head>\n<body>\n<main>\n<header>\n<p class=\"name\">photonlab · ", stream);
+    text_markup(stream, report->submission);
+    fputs("</p>\n<h1>", stream);
+    double most = sums->hidden ? sums->points_max : report->points_max;
+    write_points(sums->points, most, stream);
+    fputs("</h1>\n", stream);
+    write_counts(sums, stream);
+    write_strip(report, stream);
+    write_next(report, sums, stream);
+    if (sums->hidden > 0) {
+        char room[40];
+        fprintf(stream, "<p class=\"note\">%zu hidden step%s graded, too; worth %s more points.</p>\n", sums->hidden,
+                sums->hidden == 1 ? " is" : "s are", text_points(sums->hidden_points_max, room, sizeof room));
+    }
+    if (!report->credit)
+        fputs("<p class=\"note warning\">Not for credit: the code ran without a sandbox.</p>\n", stream);
+    fputs("</header>\n", stream);
+}
+
+static void write_stage_title(const Report *report, int stage, FILE *stream)
+{
+    double points = 0.0, points_max = 0.0;
+    const char *name = "";
+    for (size_t i = 0; i < report->step_count; i++) {
+        const ReportStep *step = &report->steps[i];
+        if (step->stage != stage || !report_shows(report, step))
+            continue;
+        points += step->points;
+        points_max += step->points_max;
+        name = step->chapter;
+    }
+    fprintf(stream, "<h2>Stage %d", stage);
+    // A chapter's file is named for its stage: 2_glossy_lobe.html.
+    const char *word = strchr(name, '_'), *end = strstr(name, ".html");
+    if (word && end && word < end) {
+        fputs(" · ", stream);
+        for (const char *c = word + 1; c < end; c++) {
+            char letter[2] = {*c == '_' ? ' ' : *c, '\0'};
+            text_markup(stream, letter);
+        }
+    }
+    fputs("<span class=\"points\">", stream);
+    write_points(points, points_max, stream);
+    fputs("</span></h2>\n", stream);
+}
+
+bool report_html(const Report *report, FILE *stream, Error *error)
+{
+    (void)error;
+    ReportSums sums = report_sums(report, report->teacher);
+    write_head(report, &sums, stream);
+    int stage = 0;
+    for (size_t i = 0; i < report->step_count; i++) {
+        const ReportStep *step = &report->steps[i];
+        if (!report_shows(report, step))
+            continue;
+        if (step->stage != stage)
+            write_stage_title(report, step->stage, stream);
+        stage = step->stage;
+        html_step(report, step, stream);
+    }
+    fprintf(stream, "<footer>Graded in %.1f s; sandbox: ", report->seconds);
+    text_markup(stream, report->sandbox);
+    fputs(".</footer>\n</main>\n</body>\n</html>\n", stream);
+    return true;
+}

@@ -1,0 +1,130 @@
+// One step on the page: open when there is something to do about it, folded when it passes.
+#include "report.h"
+
+#include <math.h>
+#include <string.h>
+
+static void write_paragraph(const char *class, const char *lead, const char *text, FILE *stream)
+{
+    if (!*text)
+        return;
+    fprintf(stream, "<p class=\"%s\">%s", class, lead);
+    text_markup(stream, text);
+    fputs("</p>\n", stream);
+}
+
+static void write_chapter(const Report *report, const char *chapter, FILE *stream)
+{
+    // Only a plain file name becomes a link: report.json could hold anything.
+    bool plain = report->notes && *chapter && !strpbrk(chapter, ":\\/");
+    if (!*chapter)
+        return;
+    if (plain) {
+        fputs("<a href=\"", stream);
+        text_markup(stream, report->notes);
+        fputc('/', stream);
+        text_markup(stream, chapter);
+        fputs("\">", stream);
+    }
+    text_markup(stream, chapter);
+    fputs(plain ? "</a>" : "", stream);
+}
+
+static void write_summary(const Report *report, const ReportStep *step, FILE *stream)
+{
+    char points[40], most[40];
+    fprintf(stream, "<summary><i class=\"mark\">%s</i><span class=\"id\">%s</span><span class=\"title\">",
+            report_status_marks[step->status], step->id);
+    text_markup(stream, step->title);
+    fputs(" <code>", stream);
+    text_markup(stream, step->symbol);
+    fputs("</code>", stream);
+    if (step->hidden && report->teacher)
+        fputs(" <em>hidden</em>", stream);
+    if (*step->due) {
+        fputs(" <em>due ", stream);
+        text_markup(stream, step->due);
+        fputs("</em>", stream);
+    }
+    fprintf(stream, "</span><span class=\"points\">%s / %s</span></summary>\n",
+            text_points(step->points, points, sizeof points), text_points(step->points_max, most, sizeof most));
+}
+
+static void write_where_to_go(const Report *report, const ReportStep *step, FILE *stream)
+{
+    fputs("<p class=\"go\">", stream);
+    if (*step->where) {
+        fputs("<span>where: <code>", stream);
+        text_markup(stream, step->where);
+        fputs("</code></span> ", stream);
+    }
+    if (step->status != REPORT_PASS)
+        fprintf(stream, "<span>hint: <code>make hint STEP=%s</code></span> ", step->id);
+    fputs("<span>chapter: ", stream);
+    write_chapter(report, step->chapter, stream);
+    fputs("</span></p>\n", stream);
+}
+
+static void write_check(const Report *report, const ReportStep *step, const ReportCheck *check, FILE *stream)
+{
+    char words[400];
+    words_of_check(check, words, sizeof words);
+    fprintf(stream, "<li class=\"%s\"><i class=\"mark\">%s</i><div><b>", report_status_names[check->status],
+            report_status_marks[check->status]);
+    text_markup(stream, check->title);
+    fputs("</b>", stream);
+    if (check->status != REPORT_PASS && *check->message && strcmp(check->message, step->message) != 0)
+        write_paragraph("found", "", check->message, stream);
+    if (check->status == REPORT_SKIP)
+        write_paragraph("statistic", "", report_status_words[REPORT_SKIP], stream);
+    write_paragraph("statistic", "", words, stream);
+    if (check->histogram.title)
+        html_histogram(&check->histogram, stream);
+    if (check->picture.yours)
+        html_pictures(report, &check->picture, stream);
+    fputs("</div></li>\n", stream);
+}
+
+static void write_output(const ReportStep *step, FILE *stream)
+{
+    if (!*step->output)
+        return;
+    bool short_enough = strlen(step->output) < 1500;
+    fprintf(stream, "<details class=\"output\"%s><summary>What was printed</summary><pre>",
+            short_enough && step->status != REPORT_PASS ? " open=\"open\"" : "");
+    fputc('\n', stream); // the first line end in a <pre> does not count
+    text_markup(stream, step->output);
+    fputs("</pre></details>\n", stream);
+}
+
+static bool any_checked(const ReportStep *step)
+{
+    for (size_t i = 0; i < step->check_count; i++)
+        if (step->checks[i].status != REPORT_SKIP && step->checks[i].status != REPORT_TODO)
+            return true;
+    return false;
+}
+
+void html_step(const Report *report, const ReportStep *step, FILE *stream)
+{
+    bool open = step->status == REPORT_FAIL || step->status == REPORT_ERROR;
+    fprintf(stream, "<article class=\"step %s\" id=\"step-%s\"><details%s>\n", report_status_names[step->status],
+            step->id, open ? " open=\"open\"" : "");
+    write_summary(report, step, stream);
+    fputs("<div class=\"body\">\n", stream);
+    if (step->status == REPORT_TODO)
+        write_paragraph("message", "", "Not started. The reference plays in its place.", stream);
+    else if (step->status != REPORT_PASS)
+        write_paragraph("message", "", *step->message ? step->message : report_status_words[step->status], stream);
+    write_paragraph("like", "<b>Looks like:</b> ", step->looks_like, stream);
+    write_where_to_go(report, step, stream);
+    // When nothing could be checked, the compiler's words say why.
+    if (any_checked(step)) {
+        fputs("<ul class=\"checks\">\n", stream);
+        for (size_t i = 0; i < step->check_count; i++)
+            write_check(report, step, &step->checks[i], stream);
+        fputs("</ul>\n", stream);
+    }
+    write_output(step, stream);
+    fputs("</div>\n</details></article>\n", stream);
+}

@@ -1,0 +1,104 @@
+// build/report DIR: from DIR/report.json, which the judge wrote, to everything that people and graders read.
+//
+//   report.json ──▶ read.c ──▶ Report ──▶ html.c          index.html
+//                                     ├─▶ junit.c         junit.xml
+//                                     ├─▶ tap.c           report.tap
+//                                     ├─▶ gradescope.c    gradescope/results.json
+//                                     ├─▶ prairielearn.c  prairielearn/results.json
+//                                     └─▶ classroom.c     classroom.txt
+//
+// A writer decides nothing: statuses and points are the judge's. What came from a student is text, and harmless from
+// read.c on (see text_clean); each writer escapes it once more for its own format. README.md describes report.json.
+#ifndef PHOTONLAB_JUDGE_REPORT_H
+#define PHOTONLAB_JUDGE_REPORT_H
+
+#include "error.h"
+#include "text.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+typedef enum { REPORT_PASS, REPORT_FAIL, REPORT_ERROR, REPORT_TODO, REPORT_SKIP, REPORT_STATUSES } ReportStatus;
+extern const char *const report_status_names[REPORT_STATUSES]; // as in report.json
+extern const char *const report_status_marks[REPORT_STATUSES]; // "✓" …
+extern const char *const report_status_words[REPORT_STATUSES]; // "passed" …
+
+// Numbers that report.json gives as null are NaN here.
+typedef struct {
+    const char *title; // NULL: there is no histogram
+    double low, high;
+    const double *observed, *expected;
+    size_t bins;
+} ReportHistogram;
+
+typedef struct {
+    const char *yours, *reference; // paths below the report's directory; NULL: there is no picture
+    double T, T_threshold;         // the largest deviation of a patch, in the reference's standard deviations
+    double V, V_threshold;         // how much noisier or smoother, as a logarithm
+} ReportPicture;
+
+typedef struct {
+    const char *name, *title, *kind, *message;
+    ReportStatus status;
+    double p, threshold;
+    double failing_case; // within the check; −1: none in particular
+    ReportHistogram histogram;
+    ReportPicture picture;
+} ReportCheck;
+
+typedef struct {
+    const char *id, *symbol, *title, *chapter, *message, *where, *mistake, *looks_like, *output;
+    const char *due; // "2026-12-01"; empty: none
+    int stage;
+    ReportStatus status;
+    bool hidden;
+    double points, points_max, seconds;
+    const ReportCheck *checks;
+    size_t check_count;
+} ReportStep;
+
+typedef struct {
+    const char *directory;
+    const char *submission, *sandbox;
+    bool credit; // false: the student's code ran without a sandbox, so no grader may take the points
+    double seconds, points, points_max;
+    const ReportStep *steps;
+    size_t step_count;
+
+    bool teacher;      // show hidden steps, too
+    const char *notes; // put before a chapter to make a link of it; NULL: no links
+    void *kept;        // memory of all the above
+} Report;
+
+// Reads and checks DIR/report.json. False with "file: steps[2].points: what is wrong" otherwise. Free it either way.
+bool report_read(Report *report, const char *directory, Error *error);
+void report_free(Report *report);
+void *report_keep(Report *report, size_t size); // zeroed memory that report_free frees; ends the program when short
+
+// What one reader may see: the sums leave hidden steps out, unless they are the teacher's.
+typedef struct {
+    size_t of[REPORT_STATUSES], hidden, steps;
+    double points, points_max, hidden_points, hidden_points_max, seconds;
+} ReportSums;
+ReportSums report_sums(const Report *report, bool teacher);
+bool report_shows(const Report *report, const ReportStep *step);
+
+// A writer of one file. False with an error when there is no memory; a full disk shows when the file is closed.
+typedef bool ReportWriter(const Report *report, FILE *stream, Error *error);
+ReportWriter report_html, report_junit, report_tap, report_gradescope, report_prairielearn, report_classroom;
+
+// ---- words.c
+
+// A check's statistic against its threshold, as a sentence; empty when there is none.
+void words_of_check(const ReportCheck *check, char *words, size_t size);
+// A step as plain text of several lines, with at most `most_output` bytes of what it printed; the caller frees it.
+char *words_of_step(const ReportStep *step, size_t most_output);
+
+// ---- inside the HTML writer
+
+extern const char *const report_style[]; // NULL last
+void html_step(const Report *report, const ReportStep *step, FILE *stream);
+void html_histogram(const ReportHistogram *histogram, FILE *stream);
+void html_pictures(const Report *report, const ReportPicture *picture, FILE *stream);
+#endif

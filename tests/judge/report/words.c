@@ -1,0 +1,117 @@
+// Sums and numbers in words, the same in every format.
+#include "report.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool report_shows(const Report *report, const ReportStep *step)
+{
+    return report->teacher || !step->hidden;
+}
+
+ReportSums report_sums(const Report *report, bool teacher)
+{
+    ReportSums sums = {.hidden = 0};
+    for (size_t i = 0; i < report->step_count; i++) {
+        const ReportStep *step = &report->steps[i];
+        if (step->hidden && !teacher) {
+            sums.hidden++;
+            sums.hidden_points += step->points;
+            sums.hidden_points_max += step->points_max;
+            continue;
+        }
+        sums.steps++;
+        sums.of[step->status]++;
+        sums.points += step->points;
+        sums.points_max += step->points_max;
+        sums.seconds += step->seconds;
+    }
+    return sums;
+}
+
+// "in 30 % of runs", "once in 3000 runs", "once in 4 million runs".
+static void words_of_odds(double p, char *words, size_t size)
+{
+    double runs = 1.0 / p;
+    if (p > 0.999)
+        snprintf(words, size, "in every run");
+    else if (p > 0.01)
+        snprintf(words, size, "in %.0f %% of runs", 100.0 * p);
+    else if (runs < 1e4)
+        snprintf(words, size, "once in %.0f runs", runs < 1000 ? floor(runs + 0.5) : 100 * floor(runs / 100 + 0.5));
+    else if (runs < 1e6)
+        snprintf(words, size, "once in %.0f thousand runs", runs / 1e3);
+    else if (runs < 1e9)
+        snprintf(words, size, "once in %.0f million runs", runs / 1e6);
+    else
+        snprintf(words, size, "less than once in a thousand million runs");
+}
+
+static void words_of_picture(const ReportPicture *picture, char *words, size_t size)
+{
+    size_t used = 0;
+    words[0] = '\0';
+    if (!isnan(picture->T) && !isnan(picture->T_threshold))
+        used = (size_t)snprintf(
+            words, size, "Brightness: the worst patch is %.1f standard deviations off; up to %.1f is chance%s. ",
+            picture->T, picture->T_threshold, picture->T > picture->T_threshold ? ", so this is a wrong picture" : "");
+    if (used < size && !isnan(picture->V) && !isnan(picture->V_threshold))
+        snprintf(words + used, size - used, "Noise: %.2f from the reference's (in logarithms); up to %.2f is chance%s.",
+                 picture->V, picture->V_threshold,
+                 picture->V > picture->V_threshold ? ", so this estimates otherwise" : "");
+}
+
+void words_of_check(const ReportCheck *check, char *words, size_t size)
+{
+    words[0] = '\0';
+    bool judged = check->status == REPORT_PASS || check->status == REPORT_FAIL;
+    if (judged && check->picture.yours) {
+        words_of_picture(&check->picture, words, size);
+    } else if (judged && !isnan(check->p) && !isnan(check->threshold)) {
+        char found[80], limit[80];
+        words_of_odds(check->p, found, sizeof found);
+        words_of_odds(check->threshold, limit, sizeof limit);
+        snprintf(words, size, "Right code is this far off %s; rarer than %s is taken for a mistake.", found, limit);
+    }
+}
+
+static void checks_as_text(const ReportStep *step, FILE *stream)
+{
+    for (size_t i = 0; i < step->check_count; i++) {
+        const ReportCheck *check = &step->checks[i];
+        char words[400];
+        words_of_check(check, words, sizeof words);
+        fprintf(stream, "  %s %s%s%s\n", report_status_marks[check->status], check->title, *words ? ": " : "", words);
+        if (check->status != REPORT_PASS && *check->message && strcmp(check->message, step->message) != 0)
+            fprintf(stream, "      %s\n", check->message);
+    }
+}
+
+char *words_of_step(const ReportStep *step, size_t most_output)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    if (!stream)
+        return NULL;
+    if (*step->message || step->status != REPORT_PASS)
+        fprintf(stream, "%s\n", *step->message ? step->message : report_status_words[step->status]);
+    if (*step->where)
+        fprintf(stream, "where: %s\n", step->where);
+    if (*step->looks_like)
+        fprintf(stream, "looks like: %s\n", step->looks_like);
+    if (step->status != REPORT_PASS)
+        fprintf(stream, "make hint STEP=%s · chapter %s\n", step->id, step->chapter);
+    if (step->status != REPORT_TODO)
+        checks_as_text(step, stream);
+    if (*step->output && step->status != REPORT_TODO && most_output > 0) {
+        char *cut = text_clean(step->output, strlen(step->output), most_output);
+        fprintf(stream, "printed:\n%s\n", cut ? cut : "");
+        free(cut);
+    }
+    if (fclose(stream) == 0)
+        return text;
+    free(text);
+    return NULL;
+}

@@ -1,0 +1,17 @@
+// report.json: everything that the judge found; the other reports are written from it (tests/judge/report/).
+#ifndef PHOTONLAB_JUDGE_REPORT_JSON_H
+#define PHOTONLAB_JUDGE_REPORT_JSON_H
+
+#include "grade.h"
+
+typedef struct {
+    const char *submission, *sandbox;
+    bool credit;
+    double seconds;
+} ReportHead;
+
+// Writes directory/report.json and directory/pictures/*.pfm.
+bool report_json_write(const char *directory, const ReportHead *head, const StepResult *results, int count,
+                       Error *error);
+
+#endif

@@ -1,0 +1,270 @@
+#!/usr/bin/env bash
+# Reports: every status, hidden steps, nasty texts, malformed reports; each format by its own checker.
+# Usage: report_test.sh build/report build/tests/print_sample
+# Needs jq, xmllint (Debian: libxml2-utils) and perl's TAP::Parser (Debian: perl).
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+report=$(realpath "$1")
+print_sample=$(realpath "$2")
+cases="$here/report/test"
+for tool in jq xmllint perl base64; do
+    command -v "$tool" >/dev/null || { echo "report_test.sh needs $tool"; exit 1; }
+done
+
+# A grey PFM of 4×4 pixels, in little-endian floats: 0.5, or 1.
+picture() {
+    printf 'PF\n4 4\n-1.0\n' >"$1"
+    local i
+    for ((i = 0; i < 48; i++)); do printf "$2" >>"$1"; done
+}
+half='\000\000\000\077' one='\000\000\200\077'
+
+# prepare NAME FILTER: a directory with pictures and the example report, changed by jq; its path in $dir.
+prepare() {
+    dir="$work/$1 with blanks"
+    mkdir -p "$dir/pictures"
+    picture "$dir/pictures/2.1_yours.pfm" "$one"
+    picture "$dir/pictures/2.1_reference.pfm" "$half"
+    jq "$2" "$cases/report.json" >"$dir/report.json"
+}
+
+# ok TEXT COMMAND…: the command ends with 0.
+ok() {
+    local text=$1
+    shift
+    if "$@" >"$work/why" 2>&1; then good "$text"; else bad "$text — $(head -c 300 "$work/why")"; fi
+}
+not() { ! "$@"; }
+# says FILE PATTERN; says_not: fixed strings.
+says() { grep -qF -e "$2" "$1"; }
+true_of() { jq -e -s "if length == 1 then .[0] else error(\"one value\") end | $1" "$2"; }
+
+no_leftovers() { [ -z "$(find "$1" -name '*.tmp-*' -o -name '.picture-*')" ]; }
+
+# Nothing is fetched from elsewhere, nothing runs: all sources are data, all links lead into the page or to the notes.
+page_is_closed() {
+    local page=$1/index.html
+    local own='src="data:image/png;base64,[A-Za-z0-9+/]+=*"|href="#step-[0-9A-Za-z._-]+"'
+    own="$own|href=\"notes/[0-9a-z_]+\\.html#[a-z-]+\""
+    ! grep -oE '(src|href|action|data|srcset|poster)="[^"]*"' "$page" | grep -vE "^($own)\$" &&
+        ! grep -qiE '<(script|iframe|object|embed|link|base|form)|@import|url\(|javascript:|<[^>]* on[a-z]+=' "$page"
+}
+tap() { perl "$cases/tap.pl" <"$1/report.tap" >"$1/tap.out"; }
+xpath() { xmllint --xpath "$1" "$2"; }
+
+# Every file of a report, by its format's checker.
+check_forms() {
+    local name=$1 dir=$2
+    ok "$name: index.html is well-formed" xmllint --noout "$dir/index.html"
+    ok "$name: index.html needs nothing from elsewhere" page_is_closed "$dir"
+    ok "$name: junit.xml fits its schema" xmllint --noout --schema "$cases/junit.xsd" "$dir/junit.xml"
+    ok "$name: report.tap parses" tap "$dir"
+    ok "$name: gradescope" true_of "$(cat "$cases/gradescope.jq")" "$dir/gradescope/results.json"
+    ok "$name: prairielearn" true_of "$(cat "$cases/prairielearn.jq")" "$dir/prairielearn/results.json"
+    ok "$name: prairielearn is small enough" [ "$(stat -c %s "$dir/prairielearn/results.json")" -lt 1000000 ]
+    base64 -d "$dir/classroom.txt" >"$dir/classroom.json"
+    ok "$name: classroom" true_of "$(cat "$cases/classroom.jq")" "$dir/classroom.json"
+    ok "$name: nothing left behind" no_leftovers "$dir"
+}
+
+# Numbers of PNG files inside the page that begin as PNG does.
+png_count() {
+    grep -oE 'base64,[A-Za-z0-9+/=]+' "$1/index.html" | while IFS= read -r line; do
+        printf %s "${line#base64,}" | base64 -d | head -c 8 | od -An -tx1 | tr -d ' \n'
+        echo
+    done | grep -c 89504e470d0a1a0a
+}
+
+echo "── what each format says"
+prepare all .
+ok "a report is written" "$report" --notes notes "$dir"
+check_forms student "$dir"
+check "$(png_count "$dir") == 3" "html: yours, reference and difference are PNG"
+ok "html: 11.5 of the 34 points of visible steps" says "$dir/index.html" "<b>11.5</b> of 34 points"
+ok "html: the likely mistake" says "$dir/index.html" "the exponent n in place of n+1"
+ok "html: the scale of the difference" says "$dir/index.html" "difference of 0.5, which is 80 %" # white is 0.625
+ok "html: p in words" says "$dir/index.html" "Right code is this far off in 30 % of runs"
+ok "html: hidden steps are counted" says "$dir/index.html" "2 hidden steps are graded, too; worth 16 more points"
+ok "junit: 6 tests, 1 failure, 1 error, 2 skipped" xpath \
+    "/testsuites[@tests=6 and @failures=1 and @errors=1 and @skipped=2]" "$dir/junit.xml"
+ok "junit: the sums are those of the elements" xpath "/testsuites[count(//testcase)=@tests
+    and count(//failure)=@failures
+    and count(//error)=@errors and count(//skipped)=@skipped and sum(testsuite/@tests)=@tests]" "$dir/junit.xml"
+ok "junit: the failure names its mistake" xpath \
+    "//testcase[starts-with(@name,'2.1 ')]/failure[@type='lobe_exponent_n']" "$dir/junit.xml"
+printf '%s\n' ok not-ok ok not-ok todo skip >"$work/statuses"
+ok "tap: statuses and directives" cmp <(grep -E '^[a-z-]+ [0-9]+ ' "$dir/tap.out" | cut -d' ' -f1) "$work/statuses"
+ok "tap: plan" says "$dir/tap.out" "planned 6"
+ok "tap: yaml" says "$dir/tap.out" "severity=fail points=1.5 checks=2"
+ok "tap: version 14" [ "$(head -1 "$dir/report.tap")" = "TAP version 14" ]
+ok "gradescope: visibility" true_of '[.tests[] | select(.number | startswith("2.")) | .visibility]
+    == ["visible", "visible", "after_due_date", "hidden"]' "$dir/gradescope/results.json"
+ok "gradescope: points of all, hidden too" true_of '([.tests[].score] | add) == 19.5 and (.tests | length) == 8' \
+    "$dir/gradescope/results.json"
+ok "prairielearn: score and points" true_of '.gradable and .score == 0.39 and ([.tests[].points] | add) == 19.5' \
+    "$dir/prairielearn/results.json"
+ok "classroom: status and points" true_of \
+    '.status == "error" and .max_score == 50 and ([.tests[].score] | add) == 19.5' "$dir/classroom.json"
+
+echo "── hidden steps"
+seen=$(grep -rlE 'secret|scatter_glossy|source text|modified Phong' "$dir" --include=index.html --include=junit.xml \
+    --include=report.tap --include=classroom.json --include=prairielearn)
+[ -z "$seen" ] && good "no student's file tells of hidden steps" || bad "told in $seen"
+ok "prairielearn neither" not says "$dir/prairielearn/results.json" secret
+ok "a teacher's report is written" "$report" --teacher "$dir"
+check_forms teacher "$dir"
+ok "teacher: html tells" says "$dir/index.html" "secret words of 2.3"
+ok "teacher: 8 tests" xpath "/testsuites[@tests=8 and @failures=2]" "$dir/junit.xml"
+ok "teacher: tap, too" says "$dir/tap.out" "planned 8"
+
+echo "── nasty texts"
+nasty='"<script>alert(1)</script> ]]> &amp; \"q\" \u0027s\u0027 \\ \\n \u001b[31mred\u0000 \u202eturned'
+nasty="$nasty"' \ufffe \r\n x\ry\u0085\u2028 # TODO\n  ...\nok 99 - forged\n  ---\nnot ok 98'
+nasty="$nasty"' </pre></style><img src=x onerror=alert(1)>"'
+prepare nasty "$nasty as \$n | .submission = \$n | .sandbox = \$n | .steps |= map(
+    .title = \$n + .id | .symbol = \$n | .message = \$n | .where = \$n | .looks_like = \$n | .output = \$n
+    | .mistake = \$n | .due = \$n | .chapter = \"javascript:alert(1)\"
+    | .checks |= map(.title = \$n | .message = \$n | .name = \$n | .kind = \$n | if .histogram then .histogram.title = \$n else . end))"
+ok "nasty: written" "$report" --notes notes "$dir"
+sed -i 's/javascript:alert(1)//g' "$dir/index.html" # as words it may stand there; as a link it must not:
+ok "nasty: no link to a script" not says "$dir/index.html" 'href="notes/"'
+check_forms nasty "$dir"
+ok "nasty: the words are there, escaped" says "$dir/index.html" "&lt;script&gt;alert(1)&lt;/script&gt; ]]&gt; &amp;amp;"
+ok "nasty: control characters are shown as pictures" says "$dir/index.html" "␛[31mred␀"
+ok "nasty: no control character in any file" not env LC_ALL=C grep -rqP \
+    '[\x00-\x08\x0b-\x1f\x7f]|\xe2\x80[\xa8\xae]|\xc2\x85' "$dir" --include='*.html' --include='*.xml' \
+    --include='*.tap' --include=results.json --include=classroom.json
+ok "nasty: no test is forged" not grep -qE '9[89]$|^ok 99' "$dir/tap.out"
+ok "nasty: the statuses are the same" cmp "$work/statuses" \
+    <(grep -E '^[a-z-]+ [0-9]+ ' "$dir/tap.out" | cut -d' ' -f1)
+ok "nasty: tap plans 6" says "$dir/tap.out" "planned 6"
+
+echo "── much output, odd numbers, missing pictures"
+prepare huge '("\u001b\"é&<" * 60000) as $much | .steps |= map(.output = $much)'
+ok "huge: written" "$report" --notes notes "$dir"
+check_forms huge "$dir"
+ok "huge: says what is left out" says "$dir/index.html" "bytes left out"
+prepare many '.steps[1] as $step | .steps = [range(100) as $i | $step | .id = "2.\($i)" | .title += .id
+    | .output = "a line of output\n" * 2000] | .passed = 0 | .failed = 100 | .errors = 0 | .not_started = 0
+    | .points = 150 | .points_max = 600'
+ok "many steps: written" "$report" --notes notes "$dir"
+check_forms "many steps" "$dir"
+ok "many steps: prairielearn's output is cut short, not away" says "$dir/prairielearn/results.json" "a line of output"
+prepare null '.steps[1].checks[0] |= (.p = null | .threshold = null | .histogram.low = null
+    | .histogram.observed = [null, 1e308, -5]) | .steps[1].checks[1].picture |= (.T = null | .V = null)'
+ok "null numbers: written" "$report" --notes notes "$dir"
+check_forms null "$dir"
+ok "null numbers: none in the page" not grep -qE '[">: ]-?(nan|inf)\b' "$dir/index.html"
+prepare missing .
+rm "$dir/pictures/2.1_yours.pfm"
+ok "a missing picture: written" "$report" --notes notes "$dir"
+check_forms "missing picture" "$dir"
+ok "missing picture: a note" says "$dir/index.html" "The pictures are left out: "
+printf 'PF\n2 2\n-1.0\n' >"$dir/pictures/2.1_yours.pfm"
+for i in 1 2 3 4 5 6 7 8 9 10 11 12; do printf '\000\000\300\177' >>"$dir/pictures/2.1_yours.pfm"; done
+"$report" "$dir"
+ok "a picture of NaN: a note" says "$dir/index.html" "The pictures are left out: "
+prepare black .
+picture "$dir/pictures/2.1_reference.pfm" '\000\000\000\000'
+"$report" "$dir"
+check "$(png_count "$dir") == 3" "a black reference is shown"
+prepare empty '.steps = [] | .points = 0 | .passed = 0 | .failed = 0 | .errors = 0 | .not_started = 0'
+ok "no steps: written" "$report" "$dir"
+ok "no steps: junit.xml" xmllint --noout --schema "$cases/junit.xsd" "$dir/junit.xml"
+ok "no steps: gradescope" true_of "$(cat "$cases/gradescope.jq")" "$dir/gradescope/results.json"
+ok "no steps: index.html" xmllint --noout "$dir/index.html"
+ok "no steps: tap" tap "$dir"
+prepare uncredited '.credit = false | .sandbox = "none"'
+"$report" --notes notes "$dir"
+check_forms "no credit" "$dir"
+ok "no credit: no points for gradescope" true_of '([.tests[].score] | add) == 0' "$dir/gradescope/results.json"
+ok "no credit: not gradable for prairielearn" true_of '.gradable == false' "$dir/prairielearn/results.json"
+ok "no credit: no points for classroom" true_of '([.tests[].score] | add) == 0 and .status == "error"' \
+    "$dir/classroom.json"
+ok "no credit: the page says so" says "$dir/index.html" "Not for credit"
+
+echo "── reports that are refused"
+# refuse WORDS FILTER: ends with 1, says the words, writes nothing.
+refuse() {
+    prepare "refused $1" "$2"
+    refuse_file "$1"
+}
+refuse_file() {
+    "$report" "$dir" >"$work/said" 2>&1
+    local code=$?
+    if [ $code = 1 ] && says "$work/said" "$1" && [ ! -e "$dir/index.html" ]; then
+        good "refused: $1"
+    else
+        bad "ended with $code; said: $(cat "$work/said"); expected: $1"
+    fi
+    rm -rf "$dir"
+}
+refuse 'expected an object' '[]'
+refuse 'format: expected "photonlab report 1"; found "photonlab report 2"' '.format = "photonlab report 2"'
+refuse 'steps[1].points: expected a number; found nothing' 'del(.steps[1].points)'
+refuse 'steps[1].points: expected at most 6; found 7' '.steps[1].points = 7'
+refuse 'steps[0].points: expected 0 to 1e+09; found -1' '.steps[0].points = -1'
+refuse 'points is 100, but the steps'"'"' points add up to 19.5' '.points = 100'
+refuse 'points_max is 40, but the steps'"'"' add up to 50' '.points_max = 40'
+refuse 'passed is 4, but 3 steps have the status pass' '.passed = 4'
+refuse 'not_started is 0, but 1 steps have the status todo' '.not_started = 0'
+refuse 'steps[2].status: expected pass, fail, error, todo or skip' '.steps[2].status = "passed"'
+refuse 'steps[2].hidden: expected true or false; found a number' '.steps[2].hidden = 0'
+refuse 'steps[2].stage: expected 1 to 99; found 0' '.steps[2].stage = 0'
+refuse 'steps[2]: expected 17 fields; found 18' '.steps[2].more = 1'
+refuse 'the whole: expected 12 fields; found 13' '.more = 1'
+refuse 'steps[2].id: expected a number like 2.1' '.steps[2].id = "2.2\"><b>"'
+refuse 'steps[1].checks: expected a list' '.steps[1].checks = null'
+refuse 'steps[1].checks[0].p: expected a number or null; found a text' '.steps[1].checks[0].p = "0.1"'
+refuse 'steps[1].checks[0].histogram: expected as many' '.steps[1].checks[0].histogram.observed = [1]'
+refuse 'steps[1].checks[0].histogram.observed: expected numbers' '.steps[1].checks[0].histogram.observed = [true]'
+refuse 'steps[1].checks[1].picture.yours: expected a path below' '.steps[1].checks[1].picture.yours = "/etc/passwd.pfm"'
+refuse 'steps[1].checks[1].picture.yours: expected a path below ' '.steps[1].checks[1].picture.yours = "a/../../b.pfm"'
+refuse 'steps[3]: expected an object; found a text' '.steps[3] = "x"'
+prepare text .; head -c 200 "$cases/report.json" >"$dir/report.json"; refuse_file "report.json:"
+prepare nan .; sed -i 's/0\.25/NaN/' "$dir/report.json"; refuse_file "invalid token near 'NaN'"
+prepare twice .; sed -i 's/"credit"/"format": "x", "credit"/' "$dir/report.json"; refuse_file "duplicate object key"
+prepare bytes .; sed -i 's/exercises/\xff\xfe/' "$dir/report.json"; refuse_file "unable to decode byte 0xff"
+prepare none .; rm "$dir/report.json"; refuse_file "cannot be read"
+prepare folder .; rm "$dir/report.json"; mkdir "$dir/report.json"; refuse_file "is a directory"
+
+echo "── flags, and files that cannot be written"
+prepare flags .
+code() { "$@" >"$work/said" 2>&1; echo $?; }
+check "$(code "$report") == 2" "no directory ends with 2"
+check "$(code "$report" --no "$dir") == 2" "an unknown flag ends with 2"
+check "$(code "$report" --notes) == 2" "--notes without a path ends with 2"
+check "$(code "$report" --notes https://x.org "$dir") == 2" "--notes elsewhere ends with 2"
+check "$(code "$report" --help) == 0" "--help ends with 0"
+mkdir "$dir/index.html"
+check "$(code "$report" "$dir") == 1" "index.html is a directory: ends with 1"
+ok "and says so" says "$work/said" "index.html: is a directory"
+
+echo "── the terminal"
+COLUMNS=60 "$print_sample" >"$work/terminal"
+ok "last line" [ "$(tail -1 "$work/terminal")" = "9 passed, 3 failed" ]
+ok "the line before" [ "$(tail -2 "$work/terminal" | head -1)" = "1 not started, 1 not checked" ]
+ok "points" says "$work/terminal" "50.5 of 80.5 points; 1 hidden step is graded, too"
+ok "a pass" grep -qE '^  ✓ 1\.1 Reflect a direction +2\.5/2\.5$' "$work/terminal"
+ok "a failure, in several lines" says <(tr -s ' \n' ' ' <"$work/terminal") \
+    "for n = 20 the mean of cosα should be 0.9545, found 0.9524"
+ok "its likely mistake" says "$work/terminal" "looks like: the exponent n in place of n+1"
+ok "where to go on" says "$work/terminal" "make hint STEP=2.1 · chapter 2_glossy_lobe.html#lobe"
+ok "the last 20 lines printed" grep -qx '        line 21' "$work/terminal"
+ok "and not more" not grep -qx '        line 20' "$work/terminal"
+ok "the compiler's lines as they stand" grep -qx '      *14 |     return x' "$work/terminal"
+ok "a crash, and where" says "$work/terminal" "in refract, line 9"
+ok "not started" grep -q '^  ○ 3\.4 ' "$work/terminal"
+ok "hidden steps are silent" not grep -qE 'secret|2\.3' "$work/terminal"
+ok "no colours or commands from a pipe" not grep -qP '\x1b|\x07|\xff' "$work/terminal"
+ok "lines of sentences fit 60 columns" [ "$(grep -v 'exercises/' "$work/terminal" |
+    LC_ALL=C awk '{ n = gsub(/[^\200-\277]/, "") } n > 60' | wc -l)" = 0 ]
+"$print_sample" verbose >"$work/terminal"
+ok "verbose: each check" says "$work/terminal" "✓ Directions follow the density: p = 0.3, wrong below 0.00033"
+if command -v script >/dev/null; then
+    TERM=xterm NO_COLOR='' script -qec "\"$print_sample\"" /dev/null >"$work/terminal" </dev/null
+    ok "colours on a terminal" grep -q "$(printf '\033\\[32m')" "$work/terminal"
+    TERM=xterm NO_COLOR=1 script -qec "\"$print_sample\"" /dev/null >"$work/terminal" </dev/null
+    ok "none with NO_COLOR" not grep -q "$(printf '\033')" "$work/terminal"
+fi
+finish

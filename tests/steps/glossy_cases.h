@@ -1,0 +1,24 @@
+// What steps 2.3 and 2.4 are called with.
+#ifndef PHOTONLAB_STEPS_GLOSSY_CASES_H
+#define PHOTONLAB_STEPS_GLOSSY_CASES_H
+
+#include "directions.h"
+
+#define GLOSSY_CASES   9
+#define GLOSSY_SAMPLES 12000
+#define GLOSSY_FLOATS  5 // ok, direction, weight
+
+typedef struct {
+    Vec3d direction, normal, mirror; // as the step gets the first two; unit
+    double exponent, cos_in;         // cosine of the incident angle
+    double above;                    // I_P
+    char inputs[160];                // "n = 20, 60° to the normal (0, 0, 1)"
+} GlossyCase;
+
+GlossyCase glossy_case(int number); // from 0
+void plan_glossy(Plan *plan);
+
+// Density cosⁿα above the surface, 0 below; `input` is a GlossyCase.
+double glossy_lobe(Vec3d d, const void *input);
+
+#endif
