@@ -1,0 +1,154 @@
+#!/usr/bin/env bash
+# Is the grader right? Run from the checkout: check_grader.sh quick|matrix|false-verdicts|write BUILD
+#
+#   quick            every known mistake, alternative, stub and solution once, at its own step (part of `make check`)
+#   matrix           the same with gcc and clang, -O0 and -O2, two salts, on one core and on two: same verdict, same points
+#   false-verdicts   right solutions over many salts, one round without confirmation: how often is one called wrong?
+#   write            puts what quick, matrix and false-verdicts found last into tests/README.md, and the diagnosis' confusions
+#                    into tests/mistakes/confusion.txt
+#
+# Environment: STEP_FLAGS and STEP_LINK (how a step is compiled and linked), JOBS (all cores), SALTS of false-verdicts (40)
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/common.sh"
+. "$here/judge/grader_cases.sh"
+mode=${1:?quick, matrix, false-verdicts or write}
+JUDGE_BUILD=$(cd "${2:?where the judge was built}" && pwd)
+CASES=$work/cases
+export JUDGE_BUILD CASES STEP_FLAGS STEP_LINK
+found=$JUDGE_BUILD/grader
+mkdir -p "$found" "$CASES" "$work/stubs"
+grader_cases "$work/stubs" >"$work/list"
+
+# count PATTERN FILE: how many lines match.
+count() {
+    grep -cE "$1" "$2"
+}
+
+# all_are KIND STATUS TEXT FILE: a check for each case of the kind; one line says it for those that are as they should be.
+all_are() {
+    local total right case step status rest
+    total=$(count "^($1)/" "$4")
+    right=$(count "^($1)/[^ ]* [^ ]* $2 " "$4")
+    if [ "$right" -gt 0 ]; then
+        good "$right of $total $3"
+        passed=$((passed + right - 1))
+    fi
+    while read -r case step status rest; do
+        bad "$case: $status at step $step, expected $2"
+    done < <(grep -E "^($1)/" "$4" | grep -vE "^[^ ]* [^ ]* $2 ")
+    [ "$total" -gt 0 ] || bad "no cases of kind $1"
+}
+
+# Named rightly, wrongly, or not at all: one line of three numbers for the cases of a kind.
+named() {
+    grep -E "^$1/" "$2" | awk "$named_rightly"'{
+        right += named_rightly()
+        silent += $5 == "-"
+    } END { print right + 0, NR - right - silent, silent + 0 }'
+}
+
+check_diagnosis() {
+    local right wrong silent total
+    read -r right wrong silent < <(named b "$1")
+    total=$((right + wrong + silent))
+    check "$right >= 0.80 * $total" "diagnosis: $right of $total mistakes in another's hand are named rightly"
+    check "$wrong <= 0.02 * $total" "diagnosis: $wrong of $total are named wrongly, $silent not at all"
+    read -r right wrong silent < <(named unknown "$1")
+    check "$silent >= 10 && $wrong == 0" "diagnosis: silent about $silent of $((wrong + silent)) mistakes that it does not know"
+}
+
+quick() {
+    grade_cases <"$work/list" | sort >"$found/quick.txt"
+    all_are "a|b" fail "known mistakes fail at the step that they name" "$found/quick.txt"
+    all_are unknown fail "unknown mistakes fail at their step" "$found/quick.txt"
+    all_are right pass "differently written right solutions pass" "$found/quick.txt"
+    all_are solution pass "solutions pass" "$found/quick.txt"
+    all_are stub todo "stubs are not started, and none passes" "$found/quick.txt"
+    check_diagnosis "$found/quick.txt"
+}
+
+# One run of the matrix; its verdicts must be those of the first.
+matrix_run() {
+    local title=$1 file="$found/matrix_${1//[^A-Za-z0-9]/_}.txt" differ
+    shift
+    env "$@" bash -c '. tests/judge/grader_cases.sh; grade_cases' <"$work/list" | sort >"$file"
+    [ -e "$found/matrix_first.txt" ] || cp "$file" "$found/matrix_first.txt"
+    differ=$(diff <(cut -d ' ' -f 1-4 "$found/matrix_first.txt") <(cut -d ' ' -f 1-4 "$file") | grep '^[<>]')
+    if [ -z "$differ" ]; then
+        good "$title: verdict and points of $(wc -l <"$file") cases are the same"
+    else
+        bad "$title: verdicts differ"
+        echo "$differ"
+    fi
+}
+
+matrix() {
+    rm -f "$found"/matrix_*.txt
+    local flags=$STEP_FLAGS compiler level salt
+    for compiler in gcc clang; do
+        for level in -O0 -O2; do
+            for salt in photonlab another; do
+                matrix_run "$compiler $level, salt $salt" COMPILER=$compiler SALT=$salt STEP_FLAGS="${flags/-O2/$level}"
+            done
+        done
+    done
+    # The runs above have all cores; one after the other on the first core alone:
+    matrix_run "gcc -O2, one core" JOBS=1 PIN=0
+    cat "$found"/matrix_*salt*.txt >"$found/matrix.txt"
+    check_diagnosis "$found/matrix.txt"
+}
+
+# A submission of right solutions only: the first, second, … alternative of every step; 0: the solutions.
+right_submission() {
+    local solution place files
+    for solution in solutions/*/*.c; do
+        place=${solution#solutions/}
+        files=("tests/alternatives/${place%.c}"/*.c)
+        mkdir -p "$2/${place%/*}"
+        if [ "$1" = 0 ]; then cp "$solution" "$2/$place"; else cp "${files[$1 - 1]}" "$2/$place"; fi
+    done
+}
+
+false_verdicts() {
+    local i salt submission
+    for submission in 0 1 2 3 4; do
+        right_submission $submission "$work/right$submission"
+        for ((i = 0; i < ${SALTS:-40}; i++)); do
+            echo "$work/right$submission salt$i $CASES/$submission.$i"
+        done
+    done | nice xargs -P "${JOBS:-$(nproc)}" -L 1 bash "$here/judge/grade_right.sh" >"$found/false_verdicts.txt"
+    local trials first confirmed
+    trials=$(count " first-round " "$found/false_verdicts.txt")
+    first=$(count " first-round fail" "$found/false_verdicts.txt")
+    confirmed=$(count " confirmed fail" "$found/false_verdicts.txt")
+    local other
+    other=$(count " (error|todo|skip)" "$found/false_verdicts.txt")
+    check "$trials >= 3000" "$trials steps of right solutions were graded, one round each"
+    check "$other == 0" "$other of them ended in an error"
+    # More than this many at the promised level of 1e-3 would happen once in 10 000 times.
+    check "$first <= $(most_at_level "$trials")" \
+        "$first of them failed the first round (promised: 0.1 %); at most $(clopper_pearson "$first" "$trials" 0.95) % at 95 % confidence"
+    check "$confirmed == 0" "$confirmed of them failed again on fresh random numbers; at most \
+$(clopper_pearson "$confirmed" "$trials" 0.95) % at 95 % confidence"
+}
+
+# The most failures in $1 trials at a level of 1e-3 that are still believable (upper tail 1e-4).
+most_at_level() {
+    awk -v n="$1" 'BEGIN {
+        term = sum = exp(-n * 1e-3)
+        for (k = 0; sum < 1 - 1e-4; ) { k++; term *= n * 1e-3 / k; sum += term }
+        print k
+    }'
+}
+
+start=$SECONDS
+case $mode in
+quick) quick ;;
+matrix) matrix ;;
+false-verdicts) false_verdicts ;;
+write) . "$here/judge/grader_table.sh"; write_table ;;
+*) echo "check_grader.sh quick|matrix|false-verdicts|write BUILD"; exit 2 ;;
+esac
+echo "took $((SECONDS - start)) s"
+finish
