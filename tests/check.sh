@@ -39,6 +39,11 @@ part "gcc and clang, threads: the same bytes" "$make" --no-print-directory check
 part "command line" "$make" --no-print-directory check-cli
 part "probe" "$make" --no-print-directory check-probe
 part "exercises" "$make" --no-print-directory check-exercises
+part "the grader graded" "$make" --no-print-directory check-grader-quick
+part "sandbox" "$make" --no-print-directory check-sandbox
+part "attacks" "$make" --no-print-directory check-attacks
+part "reports" "$make" --no-print-directory check-reports
+part "class, handout, submitting" "$make" --no-print-directory check-class
 part "command line under sanitizers" "$make" --no-print-directory check-cli-sanitized
 part "against an independent renderer" "$make" --no-print-directory reference
 part "photons against the path tracer" "$make" --no-print-directory agreement

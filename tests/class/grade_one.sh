@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# Grades one submission of a class. Usage: grade_one.sh CONFIG SUBMISSION NAME. Prints one line about it.
+#
+# Runs on whatever machine GNU parallel picks, so all it needs is in CONFIG (written by class.sh) and on shared disks.
+# The result is put together in OUT/.parts/ and moved to OUT/NAME when it is complete; graded.json tells that it is, and
+# from what.
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/json.sh"
+. "$1"
+submission=$2
+name=$3
+started=$EPOCHREALTIME
+
+# What earlier runs on this machine left when they were killed.
+temporary=${TMPDIR:-/tmp}
+for old in "$temporary"/photonlab-class."$UID".*; do
+    [ -d "$old" ] && [ -O "$old" ] && ! kill -0 "${old##*.}" 2>/dev/null && rm -rf "$old"
+done
+work=$temporary/photonlab-class.$UID.$$
+mkdir -m 700 "$work" || exit 1
+trap 'rm -rf "$work"' EXIT
+code=$work/in/$name
+mkdir -p "$code" "$work/test"
+
+# What was handed in, as the judge will see it.
+unpack() {
+    timeout -k 5 60 "$BUILD/class_unpack" "$submission" "$code" >"$work/note" 2>"$work/why" && return
+    code_of_unpack=$?
+    [ -s "$work/why" ] && return 1
+    case $code_of_unpack in
+    124 | 137 | 152) echo "unpacking took too long" ;;
+    *) echo "unpacking broke down" ;;
+    esac >"$work/why"
+    return 1
+}
+
+hash_of_content() {
+    (cd "$code" && find . -type f -print0 | LC_ALL=C sort -z | xargs -0 -r sha256sum && cat "$work/note") |
+        sha256sum | cut -c1-64
+}
+
+is_done() {
+    [ -z "$REGRADE" ] && [ -n "$key" ] && grep -qsF "\"key\": \"$key\"" "$OUT/$name/graded.json" &&
+        [ "$(tail -c 2 "$OUT/$name/report.json" 2>/dev/null)" = "}" ]
+}
+
+points() {
+    sed -n 's/^ "points": \([0-9.e+-]*\).*/\1/p;' "$1/report.json" 2>/dev/null | head -1
+}
+
+# finish STATUS MESSAGE KEY: graded.json comes last, then all is moved into place. What stood there before goes.
+finish() {
+    local seconds old
+    seconds=$(awk -v a="$started" -v b="$EPOCHREALTIME" \
+        'BEGIN { gsub(",", ".", a); gsub(",", ".", b); printf "%.2f", b - a }')
+    printf '{"name": "%s", "status": "%s", "message": "%s", "key": "%s", "seconds": %s}\n' \
+        "$(printf %s "$name" | json_text)" \
+        "$1" "$(printf %s "$2" | json_text)" "$3" "$seconds" >"$part/graded.json.new"
+    mv "$part/graded.json.new" "$part/graded.json"
+    chmod 755 "$part"
+    old=$(mktemp -d "$OUT/.parts/old.XXXXXX")
+    [ -e "$OUT/$name" ] && mv -T "$OUT/$name" "$old/was"
+    mv -T "$part" "$OUT/$name" || exit 1
+    rm -rf "$old"
+    printf '%s  %s points  %s s  %s%s\n' "$1" "$(points "$OUT/$name" | grep . || echo 0)" "$seconds" "$name" \
+        "${2:+: $2}"
+}
+
+part=$(mktemp -d "$OUT/.parts/part.XXXXXX") || exit 1
+printf '%s' "$name" >"$part/.name"
+if ! unpack; then
+    finish "unreadable" "$(head -c 900 "$work/why")" ""
+    exit 0
+fi
+key=$(printf '%s %s' "$JUDGE_KEY" "$(hash_of_content)" | sha256sum | cut -c1-64)
+if is_done; then
+    rm -rf "$part"
+    echo "kept  $(points "$OUT/$name") points  $name"
+    exit 0
+fi
+
+# The judge writes a report of zero points before it begins.
+cd "$work/in" || exit 1
+timeout -k 10 "$SECONDS_EACH" "$BUILD/judge" --root "$ROOT" --build "$BUILD" --points "$ROOT/tests/judge/points.txt" \
+    --code "./$name" --work "$work/test" --report "$part" --compiler "$CC" --flags "$FLAGS" --link "$LINK" \
+    --jobs 1 --credit >"$part/terminal.txt" 2>"$work/why" </dev/null
+case $? in
+0 | 1)
+    [ -x "$BUILD/write_reports" ] && "$BUILD/write_reports" "$part" >/dev/null 2>"$work/report" ||
+        cat "$work/report" >&2
+    finish "graded" "$(cat "$work/note")" "$key"
+    ;;
+124 | 137) finish "not graded" "grading took longer than $SECONDS_EACH s" "" ;;
+*) finish "not graded" "$(tail -1 "$work/why" | grep . || echo "the judge broke down")" "" ;;
+esac

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# The students' archive. `make handout` runs it; its arguments come as PHOTONLAB_… from class.mk.
+#
+# Without solutions' sources, the reference comes along as shared objects in prebuilt/<machine>-<system>/, and
+# prebuilt/steps.mk makes the Makefile take them.
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/files.sh"
+cd "$here/../.." || exit 2
+with=${PHOTONLAB_WITH_SOLUTIONS:-}
+[ "$with" = 1 ] || with=""
+[ -n "$(ls solutions/*/*.c 2>/dev/null)" ] ||
+    { echo "handout: there are no solutions here to build the reference from" >&2; exit 2; }
+version=$(framework_version)
+mkdir -p "$PHOTONLAB_OUT" || exit 2
+work=$(mktemp -d "$PHOTONLAB_OUT/.making.XXXXXX") || exit 2
+trap 'rm -rf "$work"' EXIT
+top=$work/photonlab-$version
+
+# What shows how the steps are solved, how they are usually done wrong, or how to cheat; and the teacher's own tools.
+secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|malformed|class|agreement)/'
+secret="$secret|^tests/[^/]*\\.(md|sh)\$|^tests/judge/.*test|^tests/judge/(calibrate/|features_table\\.sh|grade_case\\.sh)"
+secret="$secret|^tests/steps/(make_exercises\\.sh|stub\\.awk)"
+[ -n "$with" ] || secret="$secret|^solutions/"
+students='^tests/(common|setup)\.sh$|^tests/class/(class\.mk|submit\.sh|update\.sh)$|^tests/mistakes/features\.txt$'
+framework_files | grep -E "$students" >"$work/list"
+framework_files | grep -vE "$secret|$students" >>"$work/list"
+copy_files "$top" <"$work/list" || exit 1
+
+# Stubs as they were, whatever somebody has tried in exercises/.
+for stub in exercises/.stubs/*/*.c; do
+    cp "$stub" "$top/exercises/${stub#exercises/.stubs/}" || exit 1
+done
+find "$top/exercises" -name '*.c' ! -path '*/.stubs/*' | while IFS= read -r file; do
+    [ -f "exercises/.stubs/${file#"$top/exercises/"}" ] || rm -f "$file"
+done
+
+# What `make check` runs there.
+cat >"$top/tests/check.sh" <<'END'
+echo "photonlab's own tests are not in the students' archive. \`make test\` grades your work."
+END
+
+if [ -z "$with" ]; then
+    platform=$(uname -m)-$(uname -s)
+    for object in "$PHOTONLAB_BUILD"/solutions/*/*.so; do
+        to=$top/prebuilt/$platform/solutions/${object#"$PHOTONLAB_BUILD"/solutions/}
+        mkdir -p "$(dirname "$to")" && cp "$object" "$to" && strip $([ "$(uname -s)" = Darwin ] && echo -x) "$to" ||
+            exit 1
+    done
+    cp "$here/prebuilt.mk" "$top/prebuilt/steps.mk" || exit 1
+fi
+
+(cd "$top" && find . -type f ! -name .photonlab-files | sed 's|^\./||' | LC_ALL=C sort | tr '\n' '\0' |
+    xargs -0 sha256sum >.photonlab-files) || exit 1
+archive=$PHOTONLAB_OUT/photonlab-$version.tar.gz
+tar -cf "$work/archive.tar" --format=ustar --sort=name --owner=0 --group=0 --numeric-owner --mode=go-w -C "$work" \
+    "photonlab-$version" &&
+    gzip -n -9 "$work/archive.tar" && mv "$work/archive.tar.gz" "$archive" || exit 1
+echo "$archive: $(wc -l <"$top/.photonlab-files") files, $(du -k "$archive" | cut -f1) kB, $(
+    [ -n "$with" ] && echo "with solutions' sources" || echo "reference built for ${platform%-*} ${platform#*-}")"

@@ -1,0 +1,51 @@
+# What teachers do with the judge; README.md beside tells how. Not in the students' archive. Included by class.mk.
+
+CLASS_UNPACK = $(BUILD)/class_unpack
+CLASS_TABLE  = $(BUILD)/class_table
+
+$(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack*.c)) $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ -larchive $(LDLIBS)
+
+$(CLASS_TABLE): $(call object,$(wildcard tests/class/class_*.c)) $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ -ljansson $(LDLIBS)
+
+.PHONY: class handout gradescope class-tools check-class class-trial
+
+# What run_autograder compiles students' code with, where there is no make around it.
+$(BUILD)/class_flags.sh: Makefile $(wildcard tests/judge/*.mk)
+	@mkdir -p $(@D)
+	@printf "CC='%s'\nFLAGS='%s'\nLINK='%s'\n" '$(CC)' '$(STEP_FLAGS)' '$(PLUGIN)' >$@
+
+class-tools: $(BUILD)/class_flags.sh judge $(WRITE_REPORTS) $(CLASS_UNPACK) $(CLASS_TABLE)
+
+## class           grade a class: make class DIR=submissions [ROSTER=roster.csv] [OUT=build/class] [REGRADE=1] [PARALLEL_FLAGS=…]
+class: export PHOTONLAB_DIR = $(DIR)
+class: export PHOTONLAB_ROSTER = $(ROSTER)
+class: export PHOTONLAB_COLUMN = $(COLUMN)
+class: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/class)
+class: export PHOTONLAB_REGRADE = $(REGRADE)
+class: export PHOTONLAB_PARALLEL_FLAGS = $(PARALLEL_FLAGS)
+class: class-tools
+	@bash tests/class/class.sh
+
+## handout         the students' archive: make handout [OUT=build/handout] [WITH_SOLUTIONS=1] [VERSION=2]
+handout: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/handout)
+handout: export PHOTONLAB_VERSION = $(VERSION)
+handout: export PHOTONLAB_WITH_SOLUTIONS = $(WITH_SOLUTIONS)
+handout: all
+	@bash tests/class/handout.sh
+
+## gradescope      the autograder for Gradescope: make gradescope [OUT=build/gradescope]
+gradescope: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/gradescope)
+gradescope:
+	@bash tests/class/gradescope.sh
+
+##   check-class       submitting, updating, grading a small class, handout, autograder
+check-class: class-tools meshes
+	@bash tests/class/test_class.sh
+
+## class-trial     200 submissions made of known mistakes and right answers, with a kill half-way (long)
+class-trial: class-tools
+	@bash tests/class/trial.sh
