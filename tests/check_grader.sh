@@ -126,18 +126,20 @@ false_verdicts() {
     other=$(count " (error|todo|skip)" "$found/false_verdicts.txt")
     check "$trials >= 3000" "$trials steps of right solutions were graded, one round each"
     check "$other == 0" "$other of them ended in an error"
-    # More than this many at the promised level of 1e-3 would happen once in 10 000 times.
+    # The promise: 0.1 % for a step's own checks and 0.2 % for its picture, 0.4 % in step 1.6, where the noise counts, too.
+    # More than this many would happen once in 10 000 times.
     check "$first <= $(most_at_level "$trials")" \
-        "$first of them failed the first round (promised: 0.1 %); at most $(clopper_pearson "$first" "$trials" 0.95) % at 95 % confidence"
+        "$first of them failed the first round (promised: 0.31 %); at most $(clopper_pearson "$first" "$trials" 0.95) % at 95 % confidence"
     check "$confirmed == 0" "$confirmed of them failed again on fresh random numbers; at most \
 $(clopper_pearson "$confirmed" "$trials" 0.95) % at 95 % confidence"
 }
 
-# The most failures in $1 trials at a level of 1e-3 that are still believable (upper tail 1e-4).
+# The most failures in $1 trials at a level of (15·0.1 + 14·0.2 + 0.4)/15 % that are still believable (upper tail 1e-4).
 most_at_level() {
     awk -v n="$1" 'BEGIN {
-        term = sum = exp(-n * 1e-3)
-        for (k = 0; sum < 1 - 1e-4; ) { k++; term *= n * 1e-3 / k; sum += term }
+        mean = n * (15 * 0.001 + 14 * 0.002 + 0.004) / 15
+        term = sum = exp(-mean)
+        for (k = 0; sum < 1 - 1e-4; ) { k++; term *= mean / k; sum += term }
         print k
     }'
 }

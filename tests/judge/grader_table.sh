@@ -52,6 +52,9 @@ write_table() {
         if [ -e "$matrix" ]; then
             echo "gcc and clang, -O0 and -O2, two salts: $(wc -l <"$matrix") gradings; $(cut -d ' ' -f 1-4 "$matrix" | sort -u | wc -l) different verdicts for $(cut -d ' ' -f 1 "$matrix" | sort -u | wc -l) cases."
         fi
+        if [ -e "$found/attacks.txt" ]; then
+            echo "Attacks (each under bubblewrap and under a user of its own; 0 points for the step, nothing left behind): $(count '^✓' "$found/attacks.txt") held, $(count '^✗' "$found/attacks.txt") did not."
+        fi
         if [ -e "$found/false_verdicts.txt" ]; then
             local trials first confirmed
             trials=$(count " first-round " "$found/false_verdicts.txt")

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #define USUAL_SECONDS 0.012 // of the fixed task below, on the machine where the limits were chosen
@@ -75,6 +76,23 @@ static int grade(const Arguments *a, const PointsTable *points, StepResult *resu
     return count;
 }
 
+// What grading took: the judge, and all compilers and probes that it ran.
+static void print_cost(double seconds)
+{
+    double processor = 0.0;
+    long largest = 0;
+    const int whose[] = {RUSAGE_SELF, RUSAGE_CHILDREN};
+    for (int i = 0; i < 2; i++) {
+        struct rusage usage;
+        getrusage(whose[i], &usage);
+        processor += (double)usage.ru_utime.tv_sec + 1e-6 * (double)usage.ru_utime.tv_usec;
+        processor += (double)usage.ru_stime.tv_sec + 1e-6 * (double)usage.ru_stime.tv_usec;
+        largest = usage.ru_maxrss > largest ? usage.ru_maxrss : largest;
+    }
+    fprintf(stderr, "took %.2f s, %.2f s of processor time, %.0f MB in the largest process\n", seconds, processor,
+            (double)largest / 1024.0);
+}
+
 static bool report(const Arguments *a, double seconds, const StepResult *results, int count, Error *error)
 {
     bool sandboxed = a->grade.sandbox != SANDBOX_NONE;
@@ -105,6 +123,8 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
         features_print(stdout, results, count);
     else
         print_results(results, count, a->verbose);
+    if (a->verbose && !a->features)
+        print_cost(clock_seconds() - start);
     bool ok = report(a, clock_seconds() - start, results, count, &error);
     if (!ok)
         fprintf(stderr, "judge: %s\n", error.message);

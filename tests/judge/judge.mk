@@ -48,6 +48,11 @@ $(BUILD)/tests/test_sandbox: $(SANDBOX_OBJECTS)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(SANDBOX_OBJECTS) -o $@ -lseccomp $(LDLIBS)
 
+## bench-test      how long `make test` takes, against its limits
+.PHONY: bench-test
+bench-test: judge
+	@bash tests/bench/judge.sh $(BUILD)
+
 ## calibrate       what right code's pictures are like: tests/reference/pictures/ (ten minutes of processor time)
 .PHONY: calibrate
 CALIBRATE_OBJECTS = $(call object,$(wildcard tests/judge/calibrate/*.c) tests/steps/pictures.c tests/steps/picture_statistics.c \

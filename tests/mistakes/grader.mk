@@ -10,6 +10,8 @@ check-grader: judge
 	@$(GRADER) bash tests/check_grader.sh quick $(BUILD)
 	@$(GRADER) bash tests/check_grader.sh matrix $(BUILD)
 	@$(GRADER) bash tests/check_grader.sh false-verdicts $(BUILD)
+	@mkdir -p $(BUILD)/grader
+	@bash tests/attacks/both.sh $(ATTACKS) >$(BUILD)/grader/attacks.txt; tail -1 $(BUILD)/grader/attacks.txt
 
 # What check-grader found, into tests/README.md.
 grader-table:
