@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Is the grader right? Run from the checkout: check_grader.sh quick|matrix|false-verdicts|write BUILD
 #
-#   quick            every known mistake, alternative, stub and solution once, at its own step (part of `make check`)
+#   quick            every known mistake, alternative, stub and solution once, at its own step; with HANDS=b only the second
+#                    patch of each mistake (part of `make check`)
 #   matrix           the same with gcc and clang, -O0 and -O2, two salts, on one core and on two: same verdict, same points
 #   false-verdicts   right solutions over many salts, one round without confirmation: how often is one called wrong?
 #   write            puts what quick, matrix and false-verdicts found last into tests/README.md, and the diagnosis' confusions
@@ -59,7 +60,7 @@ check_diagnosis() {
 }
 
 quick() {
-    grade_cases <"$work/list" | sort >"$found/quick.txt"
+    grep -E "^[^/]{2,}/|^[${HANDS:-ab}]/" "$work/list" | grade_cases | sort >"$found/quick.txt"
     all_are "a|b" fail "known mistakes fail at the step that they name" "$found/quick.txt"
     all_are unknown fail "unknown mistakes fail at their step" "$found/quick.txt"
     all_are right pass "differently written right solutions pass" "$found/quick.txt"
