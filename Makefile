@@ -104,7 +104,7 @@ include tests/steps/exercises.mk tests/judge/judge.mk
 # ---- what there is to do; `make help` prints the lines with two hashes ----
 
 .PHONY: help demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-arm reference agreement \
-        bench bench-peers fuzz format clean
+        bench fuzz format clean
 
 ## help            this list
 help:
@@ -148,7 +148,7 @@ check-cli-sanitized: meshes
 check-compilers:
 	@$(MAKE) BUILD=$(BUILD)/gcc CC=gcc EXTRA=-Werror all $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/gcc/tests/%)
 	@$(MAKE) BUILD=$(BUILD)/clang CC=clang EXTRA=-Werror all $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/clang/tests/%)
-	$(Q)for cc in gcc clang; do $$cc $(STANDARD) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c) || exit 1; done
+	$(Q)for cc in gcc clang; do $$cc $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c tests/judge/*.c tests/judge/*/*.c tests/steps/*.c tests/class/*.c) || exit 1; done
 
 ##   check-bytes       1, 2 and 7 threads, gcc and clang: the same bytes
 check-bytes: check-compilers meshes
@@ -182,7 +182,7 @@ agreement: all meshes
 
 ## bench           speed against other programs, as ratios measured side by side (installs them first)
 bench: all meshes
-	+@bash tests/bench/run.sh
+	@bash tests/bench/run.sh
 
 ## fuzz            feed a reader with nonsense: make fuzz READER=scene|obj|png|pfm SECONDS=600 (needs clang)
 READER  ?= scene

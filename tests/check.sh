@@ -65,6 +65,7 @@ part "probe" "$make" --no-print-directory check-probe
 part "exercises" "$make" --no-print-directory check-exercises
 join
 part "the grader graded" env HANDS=b "$make" --no-print-directory check-grader-quick
+part "judge" "$make" --no-print-directory check-judge
 part "sandbox" "$make" --no-print-directory check-sandbox
 part "reports" "$make" --no-print-directory check-reports
 part "class, handout, submitting" "$make" --no-print-directory check-class

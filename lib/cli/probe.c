@@ -246,6 +246,7 @@ int command_probe(int count, char **arguments)
     char *text = file_read(a.cases, MOST_CASE_BYTES, &size, &error);
     if (!text)
         return report_error(&error);
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what a step prints is out before it crashes
     probe_watch(a.object);
     FileWriter writer = {NULL, NULL, NULL};
     bool ok =

@@ -17,7 +17,7 @@ static const char help[] =
     "  --compiler CC  --flags \"…\"  --link \"…\"    how a step is compiled and linked\n"
     "  --jobs N          steps graded side by side (0: all cores)\n"
     "  --salt TEXT       other random numbers\n"
-    "  --seconds S       processor time for a step's cases (10); slow machines get more\n"
+    "  --seconds S       processor time for a step's cases (6); slow machines get more\n"
     "  --credit          refuse to grade without a sandbox\n"
     "  --strict          exit 0 only when every step passes\n"
     "  --sanitized       no limit of memory: AddressSanitizer needs more than there is\n"
@@ -26,6 +26,14 @@ static const char help[] =
     "  --verbose         show the checks of steps that pass, too\n"
     "\n"
     "Exit: 0 nothing that was started fails; 1 something does; 2 wrong usage; 3 grading was not possible.\n";
+
+// A whole number above 0; −1, which is no stage, for anything else.
+static int whole(const char *text)
+{
+    char *end;
+    long value = strtol(text, &end, 10);
+    return end != text && !*end && value > 0 && value < 1000 ? (int)value : -1;
+}
 
 int arguments_parse(int count, char **arguments, Arguments *a)
 {
@@ -39,7 +47,7 @@ int arguments_parse(int count, char **arguments, Arguments *a)
                                .flags = "-std=c99 -O2 -fPIC",
                                .link_flags = "-shared",
                                .salt = "photonlab",
-                               .cpu_seconds = 10.0,
+                               .cpu_seconds = 6.0,
                                .memory_limit = true}};
     GradeOptions *g = &a->grade;
     const struct option options[] = {
@@ -65,7 +73,7 @@ int arguments_parse(int count, char **arguments, Arguments *a)
             a->step = optarg;
             break;
         case 'g':
-            a->stage = atoi(optarg);
+            a->stage = whole(optarg);
             break;
         case 'r':
             g->root = optarg;

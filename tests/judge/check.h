@@ -1,8 +1,8 @@
 // How a check of one step is written: it plans cases, the probe runs them on the student's code, it judges the numbers.
 //
 //   static void plan(Plan *plan) { plan_call(plan, 20000, (double[]){20.0}, 1); }
-//   static void judge(const Results *results, Finding *finding) { … results_of(results, 0) … finding_fail(…) … }
-//   {"density", "Directions follow the lobe's density", CHECK_SAMPLES, plan, judge}
+//   static void judge(const Results *results, Finding *finding) { … results->cases[0].values … finding_fail(…) … }
+//   {"density", "Directions follow the lobe's density", CHECK_SAMPLES, plan, judge, false}
 //
 // A check says what it found in the student's terms ("expected …, found …"). Two ways to fail:
 //   finding_fail       what right code never does, whatever its random numbers: wrong values, NaN, too long vectors
@@ -40,6 +40,7 @@ typedef struct {
 typedef struct {
     const Numbers *cases; // of this check, in the order planned
     size_t count;
+    uint64_t seed; // the plan's, for inputs that were drawn from it
 } Results;
 
 #define MOST_FEATURES 160
@@ -52,9 +53,9 @@ typedef struct {
 } Feature;
 
 typedef struct {
-    bool failed;      // by finding_fail
-    double p;         // the smallest p × tests; 1 when there was none
-    int tests;        // how many p-values were given
+    bool failed; // by finding_fail
+    double p;    // the smallest p × tests; 1 when there was none
+    int tests;   // how many p-values were given
     char message[600];
     char p_message[600];
     long failing_case; // within the check; −1: none in particular
@@ -73,8 +74,6 @@ typedef struct {
 #define PRINTF_LIKE(text, first) __attribute__((format(printf, text, first)))
 #else
 #define PRINTF_LIKE(text, first)
-extern const char *judge_root; // the checkout, absolute: where scenes and tests/reference/ lie
-
 #endif
 
 // The first failure's message stays. `failing_case`: −1 when it is no single one's fault.

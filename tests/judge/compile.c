@@ -2,6 +2,7 @@
 #include "file.h"
 #include "grade.h"
 #include "object_check.h"
+#include "submission.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -81,6 +82,7 @@ static Status compile(const GradeOptions *options, const Paths *p, StepResult *r
         return STATUS_SKIP;
     }
     shorten_paths(ran.text, p->code, options->code, result->output, sizeof result->output);
+    result->compiled = strlen(result->output);
     if (ran.exit_code != 0) {
         snprintf(result->message, sizeof result->message,
                  ran.exit_code > 0 ? "it does not compile" : "the compiler did not come to an end");
@@ -102,10 +104,8 @@ static Status compile(const GradeOptions *options, const Paths *p, StepResult *r
 static Status find_source(const Paths *p, StepResult *result)
 {
     struct stat state;
-    if (lstat(p->source, &state) != 0 && errno == ENOENT) {
-        snprintf(result->message, sizeof result->message, "no file");
+    if (lstat(p->source, &state) != 0 && errno == ENOENT)
         return STATUS_TODO;
-    }
     if (!S_ISREG(state.st_mode) || state.st_size > (off_t)MOST_SOURCE) {
         snprintf(result->message, sizeof result->message, "the source is no plain file of a sensible size");
         return STATUS_ERROR;
@@ -134,5 +134,7 @@ Status compile_step(const GradeOptions *options, const StepInfo *step, StepResul
         status = compile(options, &p, result);
     if (status == STATUS_PASS)
         status = object_check(options, step, p.source, p.object, result);
+    if (status == STATUS_TODO)
+        submission_note_todo(options, step, p.source, result);
     return status;
 }

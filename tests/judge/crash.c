@@ -77,7 +77,8 @@ static int read_places(const char *text, Place *places)
             colon--;
         places[count] = (Place){.line = *colon == ':' ? atoi(colon + 1) : 0};
         snprintf(places[count].function, sizeof places[count].function, "%.*s", (int)(name < 100 ? name : 100), text);
-        count += text[0] != '?';
+        bool header = colon - second > 2 && strncmp(colon - 2, ".h", 2) == 0; // the library's, built into the step
+        count += text[0] != '?' && !header;
         text = end + (*end == '\n');
     }
     return count;
@@ -85,7 +86,7 @@ static int read_places(const char *text, Place *places)
 
 static int find_places(const GradeOptions *options, const LastWords *words, const char *object, Place *places)
 {
-    const char *arguments[6 + MOST_PLACES] = {"addr2line", "-f", "-e", object};
+    const char *arguments[7 + MOST_PLACES] = {"addr2line", "-f", "-i", "-e", object};
     SandboxRun run = {.arguments = arguments,
                       .visible = {object},
                       .result_fd = -1,
@@ -96,7 +97,7 @@ static int find_places(const GradeOptions *options, const LastWords *words, cons
                       .file_mb = 1};
     SandboxResult *ran = calloc(1, sizeof *ran);
     for (int i = 0; i < words->frame_count; i++)
-        arguments[4 + i] = words->frames[i];
+        arguments[5 + i] = words->frames[i];
     int count = 0;
     if (ran && words->frame_count > 0 && sandbox_run(options->sandbox, &run, ran, NULL) && ran->exit_code == 0)
         count = read_places(ran->text, places);
@@ -159,7 +160,8 @@ static void describe_fault(const LastWords *words, const Place *places, int coun
                  count > 0 ? " in " : "", count > 0 ? places[0].function : "");
     else
         snprintf(message, size, "segmentation fault%s: an address that is not yours%s", place,
-                 words->address < 4096 ? " (a null pointer?)" : " (beyond the end of an array?)");
+                 words->address < 4096 ? " (a null pointer, or an index far beyond an array?)"
+                                       : " (beyond the end of an array?)");
 }
 
 // It ended by itself, but too early.

@@ -8,6 +8,10 @@ command -v gdb >/dev/null 2>&1 || {
     echo "gdb is not installed; make setup does that"
     exit 1
 }
+if [ ! -e "$directory/step.so" ]; then
+    echo "step $step is not started, or does not compile: there is nothing to run yet (make test STEP=$step)"
+    exit 0
+fi
 if [ ! -s "$directory/failing" ]; then
     echo "nothing to debug: step $step has not failed on a single case (make test STEP=$step tells more)"
     exit 0
@@ -24,6 +28,6 @@ else
     echo "gdb stops in $symbol with these inputs; then: next, print x, finish, info locals"
     set -- -ex "break $symbol" -ex run
 fi
-exec gdb -q ${GDB_FLAGS:-} -ex "set breakpoint pending on" -ex "set debuginfod enabled off" -ex "set pagination off" "$@" \
+exec gdb -q ${GDB_FLAGS:-} -ex "set breakpoint pending on" -ex "set debuginfod enabled off" -ex "set pagination off" -ex "set print frame-arguments all" "$@" \
     --args "$build/photonlab" probe --step "$step" --object "$directory/step.so" --references "$build/solutions" --root . \
     --only "$number" --print "$directory/$cases"

@@ -83,13 +83,12 @@ static double threshold_of(const StepChecks *checks, const Check *check, const F
     return level / (finding->tests > 0 ? finding->tests : 1);
 }
 
-static void judge_check(const StepChecks *checks, int i, const Numbers *numbers, size_t count, CheckResult *result)
+static void judge_check(const StepChecks *checks, int i, Results results, CheckResult *result)
 {
     const Check *check = &checks->checks[i];
     image_free(&result->finding.yours);
     image_free(&result->finding.reference);
     *result = (CheckResult){.check = check, .finding = {.p = 1.0, .failing_case = -1}};
-    Results results = {numbers, count};
     check->judge(&results, &result->finding);
     result->threshold = threshold_of(checks, check, &result->finding);
     result->status = result->finding.failed || result->finding.p < result->threshold ? STATUS_FAIL : STATUS_PASS;
@@ -122,7 +121,8 @@ static Status run_checks(const GradeOptions *options, const StepChecks *checks, 
         CheckResult *check = &result->checks[i];
         bool complete = status == STATUS_PASS || (long)(cases.first[i] + cases.of[i]) <= crashed;
         if (complete) {
-            judge_check(checks, i, numbers + cases.first[i], cases.of[i], check);
+            uint64_t seed = seed_of(options, checks->id, &checks->checks[i], round);
+            judge_check(checks, i, (Results){numbers + cases.first[i], cases.of[i], seed}, check);
             if (check->status == STATUS_FAIL && check->finding.failing_case >= 0)
                 note_failing(result, scene, (long)cases.first[i] + check->finding.failing_case);
         } else {
@@ -168,6 +168,8 @@ static Status confirm(const GradeOptions *options, const StepChecks *checks, Ste
         exit(3);
     again->step = result->step;
     again->check_count = result->check_count;
+    again->compiled = result->compiled;
+    memcpy(again->output, result->output, result->compiled);
     Status status = run_checks(options, checks, false, 1, again);
     if (status == STATUS_PASS)
         status = run_checks(options, checks, true, 1, again);

@@ -20,11 +20,12 @@ typedef struct {
 typedef struct {
     const StepInfo *step;
     Status status;
-    char message[1024];  // one sentence: expected and found, or what went wrong
-    char where[256];     // "sample_lobe, line 12", empty when unknown
-    char mistake[64];    // name of the likely mistake, empty when none is
+    char message[1024]; // one sentence: expected and found, or what went wrong
+    char where[256];    // "sample_lobe, line 12", empty when unknown
+    char mistake[64];   // name of the likely mistake, empty when none is
     char looks_like[300];
-    char output[16384];  // the compiler's lines, or what the code printed
+    char output[16384]; // the compiler's lines, and what the code printed
+    size_t compiled;    // bytes of the compiler's part
     CheckResult checks[MOST_CHECKS];
     int check_count;
     const char *failing_cases; // "calls.txt" or "scenes.txt" in the step's directory, and the number of the case there:
@@ -47,10 +48,10 @@ typedef struct {
     const char *salt;       // another salt, other random numbers
     SandboxKind sandbox;
     char *hidden[MOST_HIDDEN]; // absolute paths that a student's code must not read, NULL last
-    bool memory_limit;      // false under AddressSanitizer
-    double cpu_seconds;     // a step's cases may take; wall clock: three times as long
-    double speed;           // this machine's time for a fixed task ÷ the usual; time limits grow with it
-    bool first_round_only;  // no confirmation: for measuring the level
+    bool memory_limit;         // false under AddressSanitizer
+    double cpu_seconds;        // a step's cases may take; wall clock: six times as long
+    double speed;              // this machine's time for a fixed task ÷ the usual; time limits grow with it
+    bool first_round_only;     // no confirmation: for measuring the level
 } GradeOptions;
 
 // Grades one step. Never fails as a function: what goes wrong is the step's status.

@@ -24,6 +24,12 @@ JUDGE_RUN = $(JUDGE) --build $(BUILD) --work $(BUILD)/test --compiler $(CC) --fl
 test: judge
 	@$(JUDGE_RUN)
 
+## test-sanitized  the same under AddressSanitizer and UBSan, which see what did not crash by luck: make test-sanitized STEP=2.1
+.PHONY: test-sanitized
+test-sanitized:
+	@$(SANITIZED) STEP_OPTIMISE="-O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined" CODE="$(CODE)" STEP="$(STEP)" STAGE="$(STAGE)" \
+	    PLUGIN="$(PLUGIN) -fsanitize=address,undefined" JUDGE_FLAGS="--sanitized --seconds 60" test
+
 ## report          the same, and build/report/: index.html with your pictures, junit.xml, report.tap, results for Gradescope and PrairieLearn
 WRITE_REPORTS = $(BUILD)/write_reports
 report: judge $(WRITE_REPORTS)
@@ -67,6 +73,11 @@ calibrate: all $(BUILD)/calibrate
 .PHONY: check-pictures
 check-pictures: all $(BUILD)/calibrate
 	@sh tests/judge/picture_test.sh $(BUILD)
+
+##   check-judge       what a student meets at the terminal
+.PHONY: check-judge
+check-judge: judge
+	@bash tests/judge/judge_test.sh $(BUILD) $(CC) "$(STEP_FLAGS)" "$(PLUGIN)"
 
 ##   check-sandbox     what the sandbox keeps in, keeps out and reports
 ##   check-attacks     every attack costs its step, and nothing else

@@ -160,9 +160,11 @@ static bool check_variables(const ObjectFile *object, const StepInfo *step, cons
     }
     if (!best[0] && !object->keeps_data)
         return true;
-    snprintf(result->message, sizeof result->message,
-             "it keeps something between calls%s%s%s: steps run on several threads, which would write it at once",
-             best[0] ? " (the static or global variable `" : "", best, best[0] ? "`)" : "");
+    snprintf(
+        result->message, sizeof result->message,
+        "it has a variable that lives between calls%s%s%s; steps run on several threads, which would share it. If it "
+        "never changes, write `const` before it; otherwise move it into the function",
+        best[0] ? ", `" : "", best, best[0] ? "`" : "");
     say_where(step, best_line, result);
     return false;
 }

@@ -31,17 +31,22 @@ static bool is_date(const char *text)
     for (size_t i = 0; pattern[i]; i++)
         if (pattern[i] == 'd' ? text[i] < '0' || text[i] > '9' : text[i] != '-')
             return false;
-    return true;
+    const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    int year = atoi(text), month = atoi(text + 5), day = atoi(text + 8);
+    bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+    return month >= 1 && month <= 12 && day >= 1 && day <= days[month - 1] + (month == 2 && leap);
 }
 
 // step ID WEIGHT [hidden]
 static bool step_line(char **rest, Lines *lines, PointsTable *table, const char **expected)
 {
-    *expected = "step ID WEIGHT [hidden], e.g. `step 2.1 6`, each step once";
+    *expected = "step ID WEIGHT [hidden], with one of the steps 1.1 to 3.5, e.g. `step 2.1 6`";
     const char *id = strtok_r(NULL, " \t", rest);
     for (int i = 0; id && i < STEP_COUNT; i++) {
         if (strcmp(step_table[i].id, id) != 0)
             continue;
+        *expected = lines->given[i] ? "each step once; this one has a line already"
+                                    : "step ID WEIGHT [hidden], the weight a number from 0";
         bool ok = !lines->given[i] && number(rest, 0.0, 1e6, &lines->weight[i]);
         lines->given[i] = true;
         const char *word = strtok_r(NULL, " \t", rest);
@@ -54,9 +59,10 @@ static bool step_line(char **rest, Lines *lines, PointsTable *table, const char 
 // stage NUMBER [weight W] [due YYYY-MM-DD]
 static bool stage_line(char **rest, Lines *lines, const char **expected)
 {
-    *expected = "stage NUMBER [weight W] [due YYYY-MM-DD], e.g. `stage 2 due 2026-12-01`";
+    *expected =
+        "stage NUMBER [weight W] [due YYYY-MM-DD], of a stage and a date that there are, e.g. `stage 2 due 2026-12-01`";
     double stage;
-    if (!number(rest, 1, MOST_STAGES - 1, &stage))
+    if (!number(rest, 1, step_table[STEP_COUNT - 1].stage, &stage) || stage != (int)stage)
         return false;
     int s = (int)stage;
     for (char *word; (word = strtok_r(NULL, " \t", rest));) {
@@ -85,9 +91,10 @@ static bool read_line(char *line, Lines *lines, PointsTable *table, const char *
         return step_line(&rest, lines, table, expected);
     if (strcmp(word, "stage") == 0)
         return stage_line(&rest, lines, expected);
-    *expected = "a number behind `total` or `picture`";
+    *expected = "a number of points behind `total`";
     if (strcmp(word, "total") == 0)
         return number(&rest, 1e-3, 1e6, &lines->total);
+    *expected = "a percentage from 0 to 100 behind `picture`";
     if (strcmp(word, "picture") == 0)
         return number(&rest, 0.0, 100.0, &lines->picture);
     *expected = "a line that begins with step, stage, total or picture";

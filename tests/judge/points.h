@@ -14,7 +14,7 @@ typedef struct {
 // False with "file:line: …" in the error.
 bool points_read(const char *path, PointsTable *table, Error *error);
 
-// Fills in result->points, points_max and hidden from the statuses.
+// Fills in result->points, points_max, hidden and due from the statuses.
 void points_give(const PointsTable *table, StepResult *result);
 
 #endif

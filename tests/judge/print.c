@@ -152,6 +152,21 @@ static bool nothing_ran(const StepResult *result)
     return true;
 }
 
+// The compiler's lines (warnings often say what is wrong), then what the code printed.
+static void print_output(const Terminal *terminal, const StepResult *result)
+{
+    char compiled[sizeof result->output];
+    snprintf(compiled, sizeof compiled, "%.*s", (int)result->compiled, result->output);
+    if (*compiled)
+        print_lines(compiled, true);
+    const char *printed = result->output + strlen(compiled);
+    if (*printed) {
+        if (!nothing_ran(result))
+            print_dim(terminal, "", "printed:");
+        print_lines(printed, strstr(printed, "Sanitizer: ") || nothing_ran(result));
+    }
+}
+
 static void print_details(const Terminal *terminal, const StepResult *result)
 {
     char line[1024];
@@ -164,14 +179,12 @@ static void print_details(const Terminal *terminal, const StepResult *result)
         print_wrapped(terminal, line);
         paint(terminal, "\033[0m");
     }
-    if (*result->output) {
-        if (!nothing_ran(result))
-            print_dim(terminal, "", "printed:");
-        print_lines(result->output, nothing_ran(result));
-    }
+    print_output(terminal, result);
     if (result->status == STATUS_SKIP)
         return;
-    snprintf(line, sizeof line, "make hint STEP=%s · chapter %s", result->step->id, result->step->chapter);
+    int length = (int)strcspn(result->step->file, "/");
+    snprintf(line, sizeof line, "make hint STEP=%s · contract: lib/steps/%.*s.h · chapter %s", result->step->id, length,
+             result->step->file, result->step->chapter);
     print_dim(terminal, "", line);
 }
 
@@ -180,6 +193,8 @@ static void print_step(const Terminal *terminal, const StepResult *result, bool 
     print_title(terminal, result);
     if (result->status != STATUS_PASS && result->status != STATUS_TODO)
         print_details(terminal, result);
+    else if (result->status == STATUS_TODO && *result->message)
+        print_wrapped(terminal, result->message);
     else if (verbose && result->status == STATUS_PASS && *result->output)
         print_lines(result->output, false);
     for (int i = 0; verbose && result->status != STATUS_TODO && i < result->check_count; i++)

@@ -249,7 +249,7 @@ ok "a pass" grep -qE '^  ✓ 1\.1 Reflect a direction +2\.5/2\.5$' "$work/termin
 ok "a failure, in several lines" says <(tr -s ' \n' ' ' <"$work/terminal") \
     "for n = 20 the mean of cosα should be 0.9545, found 0.9524"
 ok "its likely mistake" says "$work/terminal" "looks like: the exponent n in place of n+1"
-ok "where to go on" says "$work/terminal" "make hint STEP=2.1 · chapter 2_glossy_lobe.html#lobe"
+ok "where to go on" says <(tr -s ' \n' ' ' <"$work/terminal") "make hint STEP=2.1 · contract: lib/steps/2_glossy_lobe.h"
 ok "the last 20 lines printed" grep -qx '        line 21' "$work/terminal"
 ok "and not more" not grep -qx '        line 20' "$work/terminal"
 ok "the compiler's lines as they stand" grep -qx '      *14 |     return x' "$work/terminal"

@@ -136,7 +136,7 @@ static void copy_printed(const char *text, char *output, size_t size)
 
 static Status run_failed(const Error *error, StepResult *result)
 {
-    snprintf(result->message, sizeof result->message, "the judge could not run it: %s", error->message);
+    snprintf(result->message, sizeof result->message, "the judge could not run it: %.900s", error->message);
     return STATUS_SKIP;
 }
 
@@ -189,7 +189,7 @@ Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, 
     size_t whole = parse_result(bytes, size, step->id, lines, count, numbers, *storage, &forged);
     free(bytes);
     *crashed_case = (long)whole;
-    copy_printed(ran.text, result->output, sizeof result->output);
+    copy_printed(ran.text, result->output + result->compiled, sizeof result->output - result->compiled);
     if (forged) {
         snprintf(result->message, sizeof result->message, "something other than the probe wrote to the results");
         return STATUS_ERROR;

@@ -25,7 +25,8 @@ double chi_square_p(const double *observed, const double *expected, int bins)
         double off = pooled_observed - pooled_expected;
         statistic += off * off / pooled_expected;
         cells++;
-    } else if (pooled_observed > 0.0 && binomial_p((long)pooled_observed, (long)total, pooled_expected / total) < 1e-12) {
+    } else if (pooled_observed > 0.0 &&
+               binomial_p((long)pooled_observed, (long)total, pooled_expected / total) < 1e-12) {
         return 0.0; // hundreds where next to none belong
     }
     if (!isfinite(statistic))

@@ -65,7 +65,7 @@ static bool run_block(const GroupRun *run, long block, void (*each)(long, const 
         Numbers numbers[MOST_REPLICATES];
         for (size_t r = 0; r < replicates; r++)
             numbers[r] = (Numbers){values + ((size_t)g * replicates + r) * floats, floats};
-        each(first + g, &(Results){numbers, replicates}, data);
+        each(first + g, &(Results){.cases = numbers, .count = replicates}, data);
     }
     free(values);
     return ok;

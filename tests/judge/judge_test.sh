@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# What a student meets at the terminal: wrong folders and names, todo left behind, compile errors, points, exit codes, the
+# debugger. Usage: judge_test.sh BUILD COMPILER FLAGS LINK
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+build=$1
+stage1="$work/my code/1_diffuse_photon_map"
+mkdir -p "$stage1"
+judge=("$build/judge" --build "$build" --work "$work/test" --compiler "$2" --flags "$3" --link "$4" --code "$work/my code")
+
+# expect CODE TEXT FLAGS…: the judge's exit code, and a text in what it says (white space counts as one blank).
+expect() {
+    local code=$1 text=$2 got
+    shift 2
+    "${judge[@]}" "$@" >"$work/out" 2>&1
+    got=$?
+    if [ $got = "$code" ] && tr -s ' \n' ' ' <"$work/out" | grep -qF -- "$text"; then good "judge $*: $text"; else
+        bad "judge $*: exit $got, expected $code and '$text': $(cat "$work/out")"
+    fi
+}
+
+expect 2 "expected a folder laid out like exercises/" --code "$work/nowhere"
+expect 2 "there is no step or stage like that; there are 1.1 1.2" --step 9.9
+expect 2 "there is no step or stage like that" --stage x
+expect 2 "what is \`2.1\`" 2.1
+expect 0 "0 passed, 0 failed" --stage 1
+expect 1 "6 not started" --stage 1 --strict
+
+# A right step in a folder with a blank in its name; the same in the wrong place.
+cp solutions/1_diffuse_photon_map/1.1_reflect.c "$stage1/"
+expect 0 "1 passed, 0 failed" --stage 1
+mv "$stage1/1.1_reflect.c" "$work/my code/1.1_mirror.c"
+expect 0 "1.1_mirror.c is not graded: step 1.1 is looked for in" --stage 1
+rm "$work/my code/1.1_mirror.c"
+
+# todo left beside real code is named, in an untouched stub it is not.
+sed 's/^    return .*/    return vec3_along(direction, normal, -2 * vec3_dot(direction, normal));/' \
+    exercises/.stubs/1_diffuse_photon_map/1.1_reflect.c >"$stage1/1.1_reflect.c"
+expect 0 "but line 6 still calls todo()" --step 1.1
+cp exercises/.stubs/1_diffuse_photon_map/1.1_reflect.c "$stage1/"
+expect 0 "1 not started" --step 1.1
+if grep -q "still calls" "$work/out"; then bad "an empty step is called started"; else good "an empty step is not called started"; fi
+
+# A compile error is that step's alone; a warning stands beside a failure.
+cp solutions/1_diffuse_photon_map/1.2_emit_photon.c "$stage1/"
+echo 'Vec3 reflect(Vec3 direction, Vec3 normal) { return direction normal; }' >"$stage1/1.1_reflect.c"
+expect 1 "it does not compile" --stage 1
+if grep -q "1.1_reflect.c:1:.*error" "$work/out" && grep -q "✓ 1.2" "$work/out"; then
+    good "the compiler's own line, and step 1.2 passes beside it"
+else
+    bad "compile error: $(cat "$work/out")"
+fi
+printf '#include "photonlab.h"\nVec3 reflect(Vec3 direction, Vec3 normal) { (void)normal; (void)direction; }\n' >"$stage1/1.1_reflect.c"
+expect 1 "non-void function" --step 1.1
+printf '#include "photonlab.h"\nfloat two = 2;\nVec3 reflect(Vec3 d, Vec3 n) { return vec3_along(d, n, -two * vec3_dot(d, n)); }\n' >"$stage1/1.1_reflect.c"
+expect 1 "write \`const\` before it" --step 1.1
+printf '#include <stdio.h>\n#include "photonlab.h"\nVec3 reflect(Vec3 d, Vec3 n) { printf("here\\n"); return *(Vec3 *)0; (void)d; (void)n; }\n' >"$stage1/1.1_reflect.c"
+expect 1 "printed: here" --step 1.1
+
+# make debug: gdb stops where it crashes.
+mkdir -p "$work/build"
+ln -s "$build"/* "$work/build/" 2>/dev/null
+rm -rf "$work/build/test"
+ln -s "$work/test" "$work/build/test"
+if GDB_FLAGS=-batch sh "$here/debug.sh" "$work/build" 1.1 >"$work/out" 2>&1 </dev/null && grep -q "SIGSEGV" "$work/out"; then
+    good "make debug stops at the crash"
+else
+    bad "make debug: $(tail -3 "$work/out")"
+fi
+
+# The points table.
+table() {
+    { grep -v "^$1" tests/judge/points.txt; echo "$2"; } >"$work/points"
+    expect "$3" "$4" --step 1.2 --points "$work/points"
+}
+table "step 1.2" "step 1.2 12" 0 "11.32 of 11.32 points"
+table "step 1.2" "step 1.2 6 hidden" 0 "1 hidden step is graded, too"
+table "step 1.2" "# none" 2 "no line for step 1.2"
+table "none" "step 1.1 5" 2 "each step once"
+table "none" "step 9.9 5" 2 "one of the steps 1.1 to 3.5"
+table "none" "stage 2 due 2026-02-30" 2 "a date that there are"
+table "none" "stage 4 weight 2" 2 "of a stage"
+table "picture" "picture 120" 2 "a percentage from 0 to 100"
+
+# Without a sandbox: loud, and not for credit.
+export PHOTONLAB_SANDBOX=none
+expect 0 "NO SANDBOX" --step 1.2
+expect 3 "NO SANDBOX" --step 1.2 --credit
+finish
