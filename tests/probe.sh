@@ -54,6 +54,11 @@ b=$(probe 2.1 "$work/none" "call 3 7 20")
 c=$(probe 2.1 "$work/none" "call 3 8 20")
 if [ -n "$a" ] && [ "$a" = "$b" ] && [ "$a" != "$c" ]; then good "seeds decide the numbers"; else bad "seeds: $a | $b | $c"; fi
 
+# Step 2.3 gives a sixth number: did it call redraw_cap_reached()? The lobe here lies 5° below the surface.
+caps=$(probe 2.3 "$solutions" "call 40 1 0.9961947 0 0.08715574 0 0 1 10000" | cut -d: -f2 |
+    awk '{ for (i = 1; i < NF; i += 6) { if ($i + $(i + 5) != 1) wrong++; caps += $(i + 5) }; print NF, wrong + 0, (caps > 5 && caps < 35) }')
+if [ "$caps" = "240 0 1" ]; then good "step 2.3 tells of its cap"; else bad "step 2.3 and its cap: $caps $(cat "$work/err")"; fi
+
 # A step that is not there ends the program with a word about it; with it, the pass runs.
 if probe 1.2 "$work/none" "call 1 1 0 0 0 1 0 0 0 0 1 1 1 1" >/dev/null; then
     bad "an absent step was called without a word"

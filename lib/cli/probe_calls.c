@@ -9,7 +9,7 @@
 //   1.6    see read_surroundings                        radiance
 //   2.1    exponent                                     direction
 //   2.2    local, axis                                  direction
-//   2.3 2.4  direction, normal, exponent                true, direction, weight
+//   2.3 2.4  direction, normal, exponent                true, direction, weight; 2.3: calls of redraw_cap_reached
 //   3.1    direction, normal, eta                       true, direction
 //   3.2    cos_i, eta                                   reflectance
 //   3.3    three indices, colour                        index
@@ -198,7 +198,9 @@ static void run_call(const char *id, Call *call, Rng *rng, ProbeOutput *output)
     } else if (strcmp(id, "2.2") == 0) {
         probe_put_vec3(output, steps.turn_to(call->a, call->b));
     } else if (strcmp(id, "2.3") == 0) {
+        long before = redraw_cap_count();
         put_glossy(call, rng, output, steps.scatter_glossy_source_text);
+        probe_put(output, (float)(redraw_cap_count() - before));
     } else if (strcmp(id, "2.4") == 0) {
         put_glossy(call, rng, output, steps.scatter_glossy_phong);
     } else if (strcmp(id, "3.1") == 0) {

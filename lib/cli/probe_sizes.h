@@ -15,7 +15,7 @@ static inline size_t probe_call_size(const char *id)
         const char *id;
         size_t size;
     } sizes[] = {{"1.1", 3}, {"1.2", 11}, {"1.3", 3}, {"1.4", 4}, {"1.6", 3}, {"2.1", 3}, {"2.2", 3},
-                 {"2.3", 5}, {"2.4", 5},  {"3.1", 4}, {"3.2", 1}, {"3.3", 1}, {"3.5", 34}};
+                 {"2.3", 6}, {"2.4", 5},  {"3.1", 4}, {"3.2", 1}, {"3.3", 1}, {"3.5", 34}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         if (strcmp(sizes[i].id, id) == 0)
             return sizes[i].size;

@@ -31,13 +31,19 @@ names=$out/.parts/.names
 declare -A taken=([class.csv]=1 [index.html]=1 [.parts]=1)
 ignored=()
 count=0
+. "$here/loose.sh"
 shopt -s nocasematch
-for submission in "$directory"/*; do
+shopt -s nullglob
+for submission in "$directory"/* "$loose"/*; do
     name=${submission##*/}
+    is_sorted "$submission" && continue
     if [ -d "$submission" ]; then
         [ "$name" = __MACOSX ] && continue
     elif [[ $name =~ ^(.+)\.(tar\.gz|tgz|tar\.xz|txz|tar\.bz2|tar|zip|rar|7z)$ ]]; then
         short=${BASH_REMATCH[1]}
+        [ -n "${taken[$short]:-}" ] || [ -d "$directory/$short" ] || name=$short
+    elif [[ $name =~ ^(.+)\.(c|h|cc|cpp|cxx|c\.txt)$ ]]; then
+        short=${BASH_REMATCH[1]} # to be a row of the table that says why nothing is graded
         [ -n "${taken[$short]:-}" ] || [ -d "$directory/$short" ] || name=$short
     else
         [ -e "$submission" ] && ignored+=("$name")
@@ -49,7 +55,7 @@ for submission in "$directory"/*; do
     printf '%s\0' "$name" >>"$names"
     count=$((count + 1))
 done
-shopt -u nocasematch
+shopt -u nocasematch nullglob
 [ "$count" -gt 0 ] || stop "no submissions (folders or archives) in $PHOTONLAB_DIR"
 [ ${#ignored[@]} = 0 ] || echo "not submissions: ${ignored[*]}"
 table() {
@@ -58,13 +64,15 @@ table() {
 table || exit 2
 
 # One grading of nothing, to find out whether this machine can grade at all.
-mkdir -p "$out/.parts/empty" "$out/.parts/empty-test"
+mkdir -p "$out/.parts/empty" "$out/.parts/empty-test" "$out/.parts/total"
 "$build/judge" --root "$root" --build "$build" --code "$out/.parts/empty" --work "$out/.parts/empty-test" \
-    --points "$root/tests/judge/points.txt" --credit >/dev/null 2>"$out/.parts/why" || stop "$(cat "$out/.parts/why")"
+    --points "$root/tests/judge/points.txt" --report "$out/.parts/total" --credit >/dev/null 2>"$out/.parts/why" ||
+    stop "$(cat "$out/.parts/why")"
 
 # Parts that a killed run had completed but not moved. All else in there is unfinished.
 for part in "$out"/.parts/part.*; do
-    name=$(cat "$part/.name" 2>/dev/null) && [ -f "$part/graded.json" ] && [ ! -e "$out/$name" ] &&
+    name=$(cat "$part/.name" 2>/dev/null && echo .) && name=${name%.} &&
+        [ -f "$part/graded.json" ] && [ ! -e "$out/$name" ] &&
         mv -T "$part" "$out/$name"
 done
 rm -rf "$out"/.parts/part.* "$out"/.parts/old.* "$out"/.parts/empty*
@@ -77,14 +85,15 @@ judge_key() {
             '*.yaml' \) \
             -print0 2>/dev/null | LC_ALL=C sort -z | xargs -0 -r cat
         "$PHOTONLAB_CC" --version
-        echo "$PHOTONLAB_CC $PHOTONLAB_FLAGS $PHOTONLAB_LINK"
+        echo "$PHOTONLAB_CC $PHOTONLAB_FLAGS $PHOTONLAB_LINK ${PHOTONLAB_SALT:-}"
     } | sha256sum | cut -c1-64
 }
 config=$out/.parts/.config
 {
     printf 'ROOT=%q\nBUILD=%q\nOUT=%q\n' "$root" "$build" "$out"
     printf 'CC=%q\nFLAGS=%q\nLINK=%q\n' "$PHOTONLAB_CC" "$PHOTONLAB_FLAGS" "$PHOTONLAB_LINK"
-    printf 'REGRADE=%q\nJUDGE_KEY=%q\nSECONDS_EACH=%q\n' "${PHOTONLAB_REGRADE:-}" "$(judge_key)" \
+    printf 'SALT=%q\nREGRADE=%q\nJUDGE_KEY=%q\nSECONDS_EACH=%q\n' "${PHOTONLAB_SALT:-}" \
+        "${PHOTONLAB_REGRADE:-}" "$(judge_key)" \
         "${PHOTONLAB_SECONDS_EACH:-900}"
 } >"$config"
 
@@ -95,7 +104,7 @@ show_progress() {
         left=""
         case $line in
         kept*) ;;
-        graded* | unreadable* | "not graded"*) worked=$((worked + 1)) ;;
+        graded* | unreadable* | "partly graded"* | "not graded"*) worked=$((worked + 1)) ;;
         *) echo "$line" && continue ;; # of parallel itself, or of a machine that cannot be reached
         esac
         done=$((done + 1))

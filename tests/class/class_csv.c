@@ -119,7 +119,7 @@ void csv_write(FILE *stream, const char *cell, bool first)
 
 void csv_write_text(FILE *stream, const char *cell, bool first)
 {
-    char safe[4096];
+    char safe[8192];
     snprintf(safe, sizeof safe, "%s%s", *cell && strchr("=+-@", *cell) ? "'" : "", cell);
     for (char *at = safe; *at; at++)
         if (*at == '\n' || *at == '\r')

@@ -41,7 +41,8 @@ static const char style[] =
     "<style>body{font:15px/1.4 system-ui,sans-serif;margin:2em;color:#222;background:#fff}table{border-collapse:collapse}"
     "th,td{padding:.15em .5em;border-bottom:1px solid #ddd;text-align:left;vertical-align:top}"
     "td.n{text-align:right;font-variant-numeric:tabular-nums}.pass{color:#066b2b}.fail,.error{color:#b3261e}"
-    ".todo,.skip{color:#777}.bar{background:#8cb4e8;height:.8em}h2{margin-top:2em}"
+    ".todo,.skip{color:#777}.bar{background:#8cb4e8;height:.8em}td.note{border-top:none;padding-left:2em;max-width:60em;overflow-wrap:anywhere}"
+    "tr.noted td{border-bottom:none}h2{margin-top:2em}"
     "@media(prefers-color-scheme:dark){body{color:#ddd;background:#181818}th,td{border-color:#444}.pass{color:#6c6}"
     ".fail,.error{color:#f88}}</style>\n";
 
@@ -93,14 +94,20 @@ static void count_mistake(Mistake *mistakes, size_t *kinds, size_t most, const c
 #define MOST_MISTAKES  400
 #define SHOWN_MISTAKES 15
 
+// The sentence that the student reads; its short name where there is none.
+static const char *mistake_of(const Student *student, size_t step)
+{
+    return *student->steps[step].looks_like ? student->steps[step].looks_like : student->steps[step].mistake;
+}
+
 static void write_mistakes(FILE *stream, const TableRow *rows, size_t count)
 {
     static Mistake mistakes[MOST_MISTAKES];
     size_t kinds = 0;
     for (size_t r = 0; r < count; r++)
         for (size_t i = 0; i < STEP_COUNT; i++)
-            if (*rows[r].student->steps[i].mistake)
-                count_mistake(mistakes, &kinds, MOST_MISTAKES, step_table[i].id, rows[r].student->steps[i].mistake);
+            if (*mistake_of(rows[r].student, i))
+                count_mistake(mistakes, &kinds, MOST_MISTAKES, step_table[i].id, mistake_of(rows[r].student, i));
     if (kinds == 0)
         return;
     fputs("<h2>The commonest mistakes</h2>\n<table><tr><th>how many<th>step<th>looks like</tr>\n", stream);
@@ -118,10 +125,32 @@ static void write_mistakes(FILE *stream, const TableRow *rows, size_t count)
     fputs("</table>\n", stream);
 }
 
+static bool has_note(const Student *student)
+{
+    bool noted = *student->message;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        noted = noted || *mistake_of(student, i);
+    return noted;
+}
+
+// On a line of its own, as wide as the table: it is long, and a roster may have many columns.
+static void write_note(FILE *stream, const Student *student, size_t columns)
+{
+    fprintf(stream, "<tr><td class=note colspan=%zu>", columns);
+    markup(stream, student->message);
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (*mistake_of(student, i)) {
+            fprintf(stream, "<br>%s: ", step_table[i].id);
+            markup(stream, mistake_of(student, i));
+        }
+    fputs("</tr>\n", stream);
+}
+
 static void write_student(FILE *stream, const Csv *roster, const TableRow *row)
 {
     const Student *s = row->student;
-    fputs("<tr>", stream);
+    bool noted = has_note(s);
+    fputs(noted ? "<tr class=noted>" : "<tr>", stream);
     for (size_t c = 0; roster && c < roster->columns; c++) {
         fputs("<td>", stream);
         markup(stream, row->roster_row ? csv_cell(roster, row->roster_row, c) : "");
@@ -138,11 +167,9 @@ static void write_student(FILE *stream, const Csv *roster, const TableRow *row)
     for (size_t i = 0; i < STEP_COUNT; i++)
         fprintf(stream, "<td class=%s>%s", s->steps[i].there ? s->steps[i].status : "skip",
                 mark_of(s->steps[i].status));
-    char mistakes[2048];
-    student_mistakes(s, mistakes, sizeof mistakes);
-    fputs("<td>", stream);
-    markup(stream, *s->message ? s->message : mistakes);
     fputs("</tr>\n", stream);
+    if (noted)
+        write_note(stream, s, (roster ? roster->columns : 0) + 3 + STEP_COUNT);
 }
 
 void page_write(FILE *stream, const Csv *roster, const TableRow *rows, size_t count)
@@ -161,6 +188,7 @@ void page_write(FILE *stream, const Csv *roster, const TableRow *rows, size_t co
             "<h1>The class</h1>\n<p>%zu lines, %zu graded; mean of all %.1f points. Points as numbers: "
             "<a href=class.csv>class.csv</a>. ✓ passed, ✗ wrong, ! crashed, ○ not started.</p>\n",
             count, graded, count ? sum / (double)count : 0.0);
+    page_write_spread(stream, rows, count);
     write_overview(stream, rows, count);
     write_mistakes(stream, rows, count);
     fputs("<h2>Submissions</h2>\n<table><tr>", stream);
@@ -171,7 +199,7 @@ void page_write(FILE *stream, const Csv *roster, const TableRow *rows, size_t co
     fputs("<th>submission<th>status<th>points", stream);
     for (size_t i = 0; i < STEP_COUNT; i++)
         fprintf(stream, "<th title=\"%s\">%s", step_table[i].title, step_table[i].id);
-    fputs("<th>note</tr>\n", stream);
+    fputs("</tr>\n", stream);
     for (size_t r = 0; r < count; r++)
         write_student(stream, roster, &rows[r]);
     fputs("</table>\n</html>\n", stream);

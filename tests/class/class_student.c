@@ -27,6 +27,7 @@ static void read_step(const json_t *json, Student *student)
     student->steps[i].points = number_of(json, "points");
     copy_text(json, "status", student->steps[i].status, sizeof student->steps[i].status);
     copy_text(json, "mistake", student->steps[i].mistake, sizeof student->steps[i].mistake);
+    copy_text(json, "looks_like", student->steps[i].looks_like, sizeof student->steps[i].looks_like);
     if (step->stage >= 1 && step->stage <= STAGES)
         student->stage_points[step->stage - 1] += student->steps[i].points;
 }
@@ -67,6 +68,21 @@ size_t student_count(const Student *student, const char *status)
     for (size_t i = 0; i < STEP_COUNT; i++)
         count += strcmp(student->steps[i].status, status) == 0;
     return count;
+}
+
+void student_set_total(const char *directory, Student *students, size_t count, Student *absent, size_t rows)
+{
+    char path[4200];
+    snprintf(path, sizeof path, "%.4000s/.parts/total/report.json", directory);
+    json_t *report = json_load_file(path, 0, NULL);
+    double total = number_of(report, "points_max");
+    for (size_t i = 0; i < count && !report; i++)
+        total = students[i].points_max > total ? students[i].points_max : total;
+    for (size_t i = 0; i < count; i++)
+        students[i].points_max = total;
+    for (size_t i = 0; i < rows; i++)
+        absent[i].points_max = total;
+    json_decref(report);
 }
 
 void student_mistakes(const Student *student, char *text, size_t size)

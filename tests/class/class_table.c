@@ -136,11 +136,13 @@ static bool run(char **arguments, int count, Error *error)
     char *names = ok ? file_read(arguments[2], 64u << 20, &size, error) : NULL;
     Student *students = NULL;
     size_t submissions = names ? read_students(arguments[1], names, size, &students) : 0;
-    Student *absent = calloc(roster.rows + 1, sizeof *absent);
+    Student *absent = calloc(roster.rows + 2, sizeof *absent);
     TableRow *rows = calloc(roster.rows + submissions + 1, sizeof *rows);
     const Csv *used = count > 3 ? &roster : NULL;
     ok = names && ((students && absent && rows) || error_set(error, "no memory"));
     size_t lines = ok ? order_rows(used, column, students, submissions, absent, rows) : 0;
+    if (ok)
+        student_set_total(arguments[1], students, submissions, absent, roster.rows + 1);
     ok = ok && write_to(arguments[1], "class.csv", table_write_csv, used, rows, lines, error) &&
          write_to(arguments[1], "index.html", page_write, used, rows, lines, error);
     free(rows);

@@ -28,12 +28,12 @@ void csv_free(Csv *csv);
 
 typedef struct {
     const char *name;
-    char message[1024];
-    char status[32]; // "graded", "not graded" (why: message), "no submission"
+    char message[6200];
+    char status[32]; // "graded", "partly graded", "unreadable", "not graded" (why: message), "no submission"
     double seconds, points, points_max, stage_points[STAGES];
     bool in_roster, has_page;
     struct {
-        char status[8], mistake[64];
+        char status[8], mistake[64], looks_like[400]; // the mistake's name, and what students read
         double points;
         bool there;
     } steps[STEP_COUNT];
@@ -41,6 +41,8 @@ typedef struct {
 
 void student_read(const char *directory, const char *name, Student *student);
 size_t student_count(const Student *student, const char *status);
+// The points that the table of points gives in all: the judge's report of nothing says so. Else the most that is found.
+void student_set_total(const char *directory, Student *students, size_t count, Student *absent, size_t rows);
 void student_mistakes(const Student *student, char *text, size_t size); // "2.1: uniform hemisphere; 3.2: …"
 
 // Rows in the order of the table: the roster's, then those that are not in it.
@@ -50,6 +52,7 @@ typedef struct {
 } TableRow;
 
 void table_write_csv(FILE *stream, const Csv *roster, const TableRow *rows, size_t count);
+void page_write_spread(FILE *stream, const TableRow *rows, size_t count); // quartiles and histogram of points
 void page_write(FILE *stream, const Csv *roster, const TableRow *rows, size_t count);
 
 #endif

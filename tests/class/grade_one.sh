@@ -27,7 +27,7 @@ mkdir -p "$code" "$work/test"
 unpack() {
     timeout -k 5 60 "$BUILD/class_unpack" "$submission" "$code" >"$work/note" 2>"$work/why" && return
     code_of_unpack=$?
-    [ -s "$work/why" ] && return 1
+    [ -s "$work/why" ] && return $((code_of_unpack == 3 ? 3 : 1))
     case $code_of_unpack in
     124 | 137 | 152) echo "unpacking took too long" ;;
     *) echo "unpacking broke down" ;;
@@ -63,34 +63,46 @@ finish() {
     [ -e "$OUT/$name" ] && mv -T "$OUT/$name" "$old/was"
     mv -T "$part" "$OUT/$name" || exit 1
     rm -rf "$old"
-    printf '%s  %s points  %s s  %s%s\n' "$1" "$(points "$OUT/$name" | grep . || echo 0)" "$seconds" "$name" \
-        "${2:+: $2}"
+    printf '%s  %s points  %s s  %s%s\n' "$1" "$(points "$OUT/$name" | grep . || echo 0)" "$seconds" \
+        "$(printf %s "$name" | tr -d '[:cntrl:]')" \
+        "${2:+: $2}" | tr '\n' ' '
+    echo
 }
 
 part=$(mktemp -d "$OUT/.parts/part.XXXXXX") || exit 1
 printf '%s' "$name" >"$part/.name"
-if ! unpack; then
-    finish "unreadable" "$(head -c 900 "$work/why")" ""
-    exit 0
-fi
+unpack
+case $? in
+0) ;;
+3) finish "not graded" "$(head -c 6000 "$work/why")" "" && exit 0 ;;
+*) finish "unreadable" "$(head -c 6000 "$work/why")" "" && exit 0 ;;
+esac
 key=$(printf '%s %s' "$JUDGE_KEY" "$(hash_of_content)" | sha256sum | cut -c1-64)
 if is_done; then
     rm -rf "$part"
-    echo "kept  $(points "$OUT/$name") points  $name"
+    echo "kept  $(points "$OUT/$name") points  $(printf %s "$name" | tr -d '[:cntrl:]')"
     exit 0
 fi
 
-# The judge writes a report of zero points before it begins.
+# What the judge has come to: its report has zero points before it begins, and grows with every step.
+write_reports() {
+    [ -x "$BUILD/write_reports" ] && "$BUILD/write_reports" --teacher "$part" >/dev/null 2>"$work/report" ||
+        cat "$work/report" >&2
+}
+
 cd "$work/in" || exit 1
 timeout -k 10 "$SECONDS_EACH" "$BUILD/judge" --root "$ROOT" --build "$BUILD" --points "$ROOT/tests/judge/points.txt" \
     --code "./$name" --work "$work/test" --report "$part" --compiler "$CC" --flags "$FLAGS" --link "$LINK" \
-    --jobs 1 --credit >"$part/terminal.txt" 2>"$work/why" </dev/null
+    --jobs 1 --credit ${SALT:+--salt "$SALT"} >"$part/terminal.txt" 2>"$work/why" </dev/null
 case $? in
 0 | 1)
-    [ -x "$BUILD/write_reports" ] && "$BUILD/write_reports" "$part" >/dev/null 2>"$work/report" ||
-        cat "$work/report" >&2
+    write_reports
     finish "graded" "$(cat "$work/note")" "$key"
     ;;
-124 | 137) finish "not graded" "grading took longer than $SECONDS_EACH s" "" ;;
+124 | 137)
+    write_reports
+    left=$(grep -o '"message": "grading did not get this far"' "$part/report.json" | wc -l)
+    finish "partly graded" "the $SECONDS_EACH s for grading ran out before $left steps$(sed 's/^/; /' "$work/note")" ""
+    ;;
 *) finish "not graded" "$(tail -1 "$work/why" | grep . || echo "the judge broke down")" "" ;;
 esac

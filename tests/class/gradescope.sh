@@ -12,8 +12,13 @@ trap 'rm -rf "$work"' EXIT
 unused='^tests/(alternatives|attacks|unit|bench|fuzz|malformed|agreement)/|^tests/mistakes/.*/|^exercises/[^.]|\.png$|\.pfm\.xz$'
 framework_files | grep -vE "$unused" | copy_files "$work/photonlab" || exit 1
 cp "$here/gradescope/setup.sh" "$here/gradescope/run_autograder" "$work/" || exit 1
-chmod 755 "$work/setup.sh" "$work/run_autograder"
+# Cases that students have not seen at home, the same for all: made once, and kept when the zip is made again.
 archive=$PHOTONLAB_OUT/autograder.zip
-(cd "$work" && zip -q -X -r archive.zip setup.sh run_autograder photonlab) && mv "$work/archive.zip" "$archive" ||
+salt=${PHOTONLAB_SALT:-$(unzip -p "$archive" salt 2>/dev/null)}
+[ -n "$salt" ] || salt=$(head -c 18 /dev/urandom | od -An -tx1 | tr -d ' \n')
+[ -n "$salt" ] || exit 1
+printf '%s\n' "$salt" >"$work/salt"
+chmod 755 "$work/setup.sh" "$work/run_autograder"
+(cd "$work" && zip -q -X -r archive.zip setup.sh run_autograder salt photonlab) && mv "$work/archive.zip" "$archive" ||
     exit 1
 echo "$archive: $(du -k "$archive" | cut -f1) kB. Upload it in Gradescope under Configure Autograder, as a zip file."

@@ -35,6 +35,16 @@ find "$top/exercises" -name '*.c' ! -path '*/.stubs/*' | while IFS= read -r file
     [ -f "exercises/.stubs/${file#"$top/exercises/"}" ] || rm -f "$file"
 done
 
+# What is for teachers alone would lead to files that are not there: sections of the README, and lines of `make help`.
+sed '/^<!-- teachers -->$/,/^<!-- end of teachers -->$/d' README.md >"$top/README.md" || exit 1
+gone='check|check-[a-z-]*|reference|agreement|bench|bench-test|bench-peers|fuzz|calibrate|exercises|format|mistakes-table'
+gone="$gone|grader-table|class|class-trial|handout|gradescope"
+find "$top" -name Makefile -o -name '*.mk' | while IFS= read -r file; do
+    # A line with no name of a target, and far to the right, belongs to the one above.
+    awk -v gone="^## +($gone)( |\$)" '/^## / && !/^##            / { drop = $0 ~ gone } !/^## / { drop = 0 } !drop' \
+        "$file" >"$work/shorter" && cat "$work/shorter" >"$file" || exit 1
+done
+
 # What `make check` runs there.
 cat >"$top/tests/check.sh" <<'END'
 echo "photonlab's own tests are not in the students' archive. \`make test\` grades your work."

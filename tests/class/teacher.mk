@@ -20,13 +20,14 @@ $(BUILD)/class_flags.sh: Makefile $(wildcard tests/judge/*.mk)
 
 class-tools: $(BUILD)/class_flags.sh judge $(WRITE_REPORTS) $(CLASS_UNPACK) $(CLASS_TABLE)
 
-## class           grade a class: make class DIR=submissions [ROSTER=roster.csv] [OUT=build/class] [REGRADE=1] [PARALLEL_FLAGS=…]
+## class           grade a class: make class DIR=submissions [ROSTER=roster.csv] [SALT=secret] [OUT=build/class] [REGRADE=1] [PARALLEL_FLAGS=…]
 class: export PHOTONLAB_DIR = $(DIR)
 class: export PHOTONLAB_ROSTER = $(ROSTER)
 class: export PHOTONLAB_COLUMN = $(COLUMN)
 class: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/class)
 class: export PHOTONLAB_REGRADE = $(REGRADE)
 class: export PHOTONLAB_PARALLEL_FLAGS = $(PARALLEL_FLAGS)
+class: export PHOTONLAB_SALT = $(SALT)
 class: class-tools
 	@bash tests/class/class.sh
 
@@ -37,8 +38,9 @@ handout: export PHOTONLAB_WITH_SOLUTIONS = $(WITH_SOLUTIONS)
 handout: all
 	@bash tests/class/handout.sh
 
-## gradescope      the autograder for Gradescope: make gradescope [OUT=build/gradescope]
+## gradescope      the autograder for Gradescope: make gradescope [OUT=build/gradescope] [SALT=secret]
 gradescope: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/gradescope)
+gradescope: export PHOTONLAB_SALT = $(SALT)
 gradescope:
 	@bash tests/class/gradescope.sh
 

@@ -4,6 +4,7 @@ set -u
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 . "$here/../common.sh"
+unset MAKEFLAGS MFLAGS MAKEOVERRIDES BUILD # a BUILD= for this checkout is none for a handout
 cd "$root" || exit 1
 build=$(cd "$PHOTONLAB_BUILD" && pwd)
 solved=$root/solutions
@@ -24,133 +25,7 @@ fails_command() {
     if "$@" >/dev/null 2>&1; then bad "$text"; else good "$text"; fi
 }
 
-# ---- handout
-
-check_handout() {
-    local tree code
-    PHOTONLAB_OUT=$work/handout PHOTONLAB_VERSION=1 bash "$here/handout.sh" >"$work/said" 2>&1 ||
-        bad "handout: $(tail -3 "$work/said")"
-    mkdir "$work/a student"
-    tar -xzf "$work/handout/photonlab-1.tar.gz" -C "$work/a student" || bad "handout: its archive"
-    tree="$work/a student/photonlab-1"
-    (cd "$tree" && find . -type f) >"$work/files"
-    fails_command "handout: no solutions, mistakes, alternatives, attacks or unit tests" \
-        grep -E '^\./(solutions|tests/(alternatives|attacks|unit))/|^\./tests/mistakes/.*/|\.patch$' "$work/files"
-    # Lines of code that only the solutions have; what the library says in the same words gives nothing away.
-    awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 }
-         inside && !/^ *\/\// { sub(/^ */, ""); sub(/ *\/\/.*/, ""); if (length($0) >= 30) print }' solutions/*/*.c |
-        sort -u >"$work/lines"
-    cat lib/*.[ch] lib/*/*.[ch] scenes/*.c tests/judge/*.c tests/steps/*.c >"$work/library"
-    while IFS= read -r code; do grep -qF -- "$code" "$work/library" ||
-        printf '%s\n' "$code"; done <"$work/lines" >"$work/own"
-    check "$(wc -l <"$work/own") >= 40" "handout: $(wc -l <"$work/own") lines that only solutions have are looked for"
-    fails_command "handout: holds none of them" grep -rqIF -f "$work/own" "$tree"
-    fails_command "handout: no symbols or lines of source in the reference's objects" \
-        grep -qE '\.(debug_|symtab)|solutions/' "$tree"/prebuilt/*/solutions/2_glossy_lobe/2.2_turn_to.so
-    holds_command "handout: every stub is pristine" diff -r -x '*.md' -x '*.png' -x .stubs "$tree/exercises/.stubs" \
-        "$tree/exercises"
-    # Built by what is here already, newer than its sources, so that only the handout's own part is tried.
-    mkdir "$tree/build" &&
-        cp -R "$build/obj" "$build"/*.so "$build/photonlab" "$build/judge" "$build/write_reports" "$tree/build/" &&
-        find "$tree/build" -type f -exec touch {} +
-    (cd "$tree" && make all hint STEP=2.2) >"$work/said" 2>&1
-    says "Hint 1 of 3" "$work/said" "handout: make all hint, in a folder with a blank in its name"
-    holds_command "handout: the reference's objects are in place" test -f \
-        "$tree/build/solutions/2_glossy_lobe/2.2_turn_to.so"
-    cp "$tree/Makefile" "$work/Makefile"
-    mv "$tree"/prebuilt/*-* "$tree/prebuilt/sparc-Multics"
-    (cd "$tree" && make all) >"$work/said" 2>&1 && bad "handout: builds on another machine"
-    says "built for: sparc Multics" "$work/said" "handout: on another machine it says what the reference was built for"
-}
-
-# ---- submit, in the handout
-
-check_submit() {
-    local tree="$work/a student/photonlab-1" archive
-    export PHOTONLAB_NAME="Zoë/O'Neil"
-    (cd "$tree" && PHOTONLAB_BUILD=build bash tests/class/submit.sh) >"$work/said" 2>&1
-    says "started:     none" "$work/said" "submit: nothing is started in a handout"
-    cp "$solved/$turn" "$tree/exercises/$turn"
-    echo "int reflect(" >"$tree/exercises/1_diffuse_photon_map/1.1_reflect.c"
-    sed 's/todo(/ todo(/' "$tree/exercises/3_colour_dispersion/3.2_fresnel.c" >"$work/touched"
-    cp "$work/touched" "$tree/exercises/3_colour_dispersion/3.2_fresnel.c"
-    echo junk >"$tree/exercises/2_glossy_lobe/notes.o"
-    ln -s /etc/passwd "$tree/exercises/2_glossy_lobe/link.h"
-    rm -rf "$tree/build/submit"
-    (cd "$tree" && PHOTONLAB_BUILD=build bash tests/class/submit.sh) >"$work/said" 2>&1 &&
-        bad "submit: takes what does not compile"
-    says "1.1_reflect.c:1:" "$work/said" "submit: shows the compiler's lines"
-    says "3.2 still calls todo" "$work/said" "submit: says that a step still counts as not started"
-    fails_command "submit: no archive of what does not compile" ls "$tree/build/submit/"*
-    (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_FORCE=1 bash tests/class/submit.sh) >"$work/said" 2>&1
-    archive=$(ls "$tree"/build/submit/*.tar.gz)
-    says "15 files, 2 steps started" "$work/said" "submit: FORCE=1 takes it, and counts"
-    check "$(tar -tzf "$archive" | grep -cvE '^exercises/[123]_[a-z_]*/[123]\.[1-6]_[a-z_]*\.c$') == 0" \
-        "submit: nothing but C files in it"
-    cp "$archive" "$work/first" && sleep 1 && touch "$tree"/exercises/*/*.c
-    (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_FORCE=1 bash tests/class/submit.sh) >/dev/null 2>&1
-    holds_command "submit: the same files, the same bytes" cmp "$archive" "$work/first"
-    unset PHOTONLAB_NAME
-}
-
-# ---- update, of the same handout
-
-manifest() {
-    (cd "$1" && find . -type f ! -name .photonlab-files | sed 's|^\./||' | LC_ALL=C sort | tr '\n' '\0' |
-        xargs -0 sha256sum >.photonlab-files)
-}
-
-check_update() {
-    local tree="$work/a student/photonlab-1" new=$work/new/photonlab-2 file
-    rm -rf "$tree" && tar -xzf "$work/handout/photonlab-1.tar.gz" -C "$work/a student"
-    mkdir "$work/new" && tar -xzf "$work/handout/photonlab-1.tar.gz" -C "$work/new" && mv "$work/new/photonlab-1" "$new"
-    for file in .stubs/$turn $turn .stubs/1_diffuse_photon_map/1.1_reflect.c 1_diffuse_photon_map/1.1_reflect.c; do
-        echo "// new words" >>"$new/exercises/$file"
-    done
-    echo "# new" >>"$new/Makefile"
-    echo "new" >"$new/scenes/new.yaml"
-    rm "$new/scenes/diamond.yaml"
-    manifest "$new"
-    cp "$solved/$turn" "$tree/exercises/$turn"
-    cp "$solved/2_glossy_lobe/2.1_sample_lobe.c" "$tree/exercises/2_glossy_lobe/"
-    echo mine >"$tree/my notes.txt"
-    echo "# mine" >>"$tree/scenes/prism.yaml"
-    (cd "$work" && tar -czf "$work/new.tar.gz" -C new photonlab-2)
-    cp -R "$tree" "$work/before"
-
-    mkdir "$work/other" && echo hello >"$work/other/Makefile" && echo hello >"$work/other.tar.gz"
-    for file in "$work/other" "$work/other.tar.gz" "$work/nothing" ""; do
-        fails_command "update: refuses FROM=${file##*/}" env PHOTONLAB_FROM="$file" bash "$tree/tests/class/update.sh"
-    done
-    holds_command "update: a refusal changes nothing" diff -r "$work/before" "$tree"
-
-    PHOTONLAB_FROM=$work/new.tar.gz bash "$tree/tests/class/update.sh" >"$work/said" 2>&1 ||
-        bad "update: $(cat "$work/said")"
-    holds_command "update: a started file stays" cmp "$solved/$turn" "$tree/exercises/$turn"
-    holds_command "update: its changed stub is put beside" cmp "$new/exercises/$turn" "$tree/exercises/$turn.new-stub"
-    fails_command "update: an unchanged one is not" ls "$tree/exercises/2_glossy_lobe/2.1_sample_lobe.c.new-stub"
-    holds_command "update: a stub that was not started is replaced" grep -q "new words" \
-        "$tree/exercises/1_diffuse_photon_map/1.1_reflect.c"
-    holds_command "update: the framework is replaced" cmp "$new/Makefile" "$tree/Makefile"
-    holds_command "update: what came new is there" cmp "$new/scenes/new.yaml" "$tree/scenes/new.yaml"
-    fails_command "update: what is no more is gone" ls "$tree/scenes/diamond.yaml"
-    holds_command "update: the student's own files stay" grep -q mine "$tree/my notes.txt"
-    holds_command "update: a file of the framework that the student changed is kept" grep -q mine \
-        "$tree/before-update-1/scenes/prism.yaml"
-    says "yours, left alone: exercises/$turn" "$work/said" "update: tells what it left alone"
-
-    # Cut off in the middle of the switch: the list is there, half of it is done.
-    rm -rf "$tree" && cp -R "$work/before" "$tree"
-    sed 's/^mv "$room\/plan" "$room\/switch"$/&; rm -rf "$room\/ready.all"; cp -R "$room\/ready" "$room\/ready.all"; mv "$room\/ready\/Makefile" Makefile; exit 9/' \
-        "$tree/tests/class/update.sh" >"$work/cut.sh" && cp "$work/cut.sh" "$tree/tests/class/cut.sh"
-    PHOTONLAB_FROM=$work/new.tar.gz bash "$tree/tests/class/cut.sh" >/dev/null 2>&1
-    check "$? == 9" "update: can be cut off in its switch"
-    bash "$tree/tests/class/update.sh" >"$work/said" 2>&1
-    rm "$tree/tests/class/cut.sh"
-    holds_command "update: the next one finishes the one that was cut off" cmp "$new/scenes/new.yaml" \
-        "$tree/scenes/new.yaml"
-    fails_command "update: and leaves no trace" ls -d "$tree/.update"
-}
+. "$here/test_handout.sh"
 
 # ---- a class
 
@@ -177,6 +52,52 @@ make_class() {
     echo "not one" >"$class/read me.txt"
     printf 'name,group,id\r\nalice,"1,5",s1\r\n"Bøb, ""the"" =O'"'"'Neil",2,s2\r\nzoë,3,s3\r\nDave,4,s4\r\n' \
         >"$work/roster.csv"
+}
+
+# What would be lost without a word: each of these is graded, or named.
+make_odd() {
+    local odd=$work/odd reflect=1_diffuse_photon_map/1.1_reflect.c
+    mkdir -p "$odd/beside" "$odd/two/old" "$odd/capital" "$odd/linked" "$odd/late"
+    mkdir "$odd/beside/exercises" && cp -R "$root/exercises/.stubs/1_diffuse_photon_map" "$odd/beside/exercises/"
+    cp "$solved/$reflect" "$odd/beside/"
+    put_step "$odd/two/exercises" && { echo "int x;" && cat "$solved/$turn"; } >"$odd/two/old/2.2_turn_to.c"
+    cp "$solved/$reflect" "$odd/capital/1.1_reflect.C" && echo "int x;" >"$odd/capital/helper.c"
+    put_step "$odd/linked" && ln -s "$root/solutions/$reflect" "$odd/linked/1.1_reflect.c"
+    put_step "$odd/late" && cp "$odd"/capital/1.1* "$odd/late/1.1_reflect.c"
+    sed 's/todo(.*/for (volatile int i = 1; i;) { }/' \
+        "$root/exercises/.stubs/2_glossy_lobe/2.3_scatter_glossy_source_text.c" \
+        >"$odd/late/2.3_scatter_glossy_source_text.c"
+    put_step "$odd/new"$'\n'"line"
+    echo "int x;" >"$odd/judy.c" && printf 'id\nnobody\n' >"$odd/roster.csv"
+    cp "$solved/$reflect" "$odd/doe_12345_1.1_reflect.c" && cp "$solved/$turn" "$odd/doe_12346_2.2_turn_to-1.c"
+}
+
+check_odd() {
+    make_odd
+    PHOTONLAB_DIR=$work/odd PHOTONLAB_OUT=$work/odd-out PHOTONLAB_SECONDS_EACH=3 \
+        PHOTONLAB_SALT=pepper PHOTONLAB_ROSTER=$work/odd/roster.csv PHOTONLAB_PARALLEL_FLAGS="-j 3" \
+        bash "$here/class.sh" >"$work/odd-said" 2>&1 &&
+        bad "odd: exit code 0 with work that was not graded"
+    holds_row beside ',graded,no,4,100,.*the empty step; yours was taken' "a started file wins over the empty one"
+    holds_row two 'not graded,no,0,100,.*2.2 is started both in `exercises.*` and in `old/2.2_turn_to.c`' "which of two"
+    holds_row capital ',graded,no,4,.*helper.c is not called like a step' "1.1_reflect.C; helper.c is named"
+    holds_row linked ',graded,no,5,.*1.1_reflect.c is a link' "a link is named"
+    holds_row judy 'unreadable,no,0,100,.*a file alone' "a loose file has a row"
+    holds_row doe ',graded,no,9,100,' "files flat in the folder become a submission"
+    holds_row late 'partly graded,no,9,100,.*3 s for grading ran out before [1-9]' "what was graded in time counts"
+    grep -q 'SALT=pepper' "$work/odd-out/.parts/.config" && grep -qa '^,new line,graded' "$work/odd-out/class.csv" &&
+        good "odd: a name of two lines" || bad "odd: $(cat "$work/odd-said")"
+    says 'half below' "$work/odd-out/index.html" "odd: the page tells how points are spread"
+    check "$(grep -c 'href="[^"]*/index.html"' "$work/odd-out/index.html") == \
+        $(ls "$work/odd-out/"*/index.html | grep -c '^/')" \
+        "odd: it leads to every report"
+    holds_command "odd: the report of what was graded in time" test -f "$work/odd-out/late/index.html"
+}
+
+holds_row() { # holds_row SUBMISSION PATTERN TEXT
+    if grep -a "^,$1," "$work/odd-out/class.csv" | grep -q -- "$2"; then good "odd: $3"; else
+        bad "odd: $3: $(grep -a "$1" "$work/odd-out/class.csv") $(tail -3 "$work/odd-said")"
+    fi
 }
 
 start_class() {
@@ -277,7 +198,16 @@ check_gradescope() {
     rm "$place/submission/"* && cp "$work/first" "$place/submission/mine.tar.gz"
     autograde env
     check "$(points) == 5" "gradescope: an archive by make submit, too"
+    check "$(wc -c <"$place/source/salt") >= 36" "gradescope: random numbers of its own"
+    cp "$place/source/salt" "$work/salt"
+    PHOTONLAB_OUT=$work/gradescope bash "$here/gradescope.sh" >/dev/null 2>&1
+    unzip -p "$work/gradescope/autograder.zip" salt | cmp -s - "$work/salt" &&
+        good "gradescope: the same when it is made again" || bad "gradescope: another salt when made again"
     says '2.2 Turn' "$place/results/results.json" "gradescope: its results name the steps"
+    rm "$place/submission/"* && cp "$work"/odd/late/*.c "$work"/odd/late/*/*.c "$place/submission/"
+    autograde env AUTOGRADER_SECONDS=3
+    check "$(points) == 9" "gradescope: what was graded before the time ran out counts"
+    says '"output": "The time for grading ran out' "$place/results/results.json" "gradescope: and it says so"
     rm -f "$place/results/results.json"
     (autograde exec setsid) 2>/dev/null &
     for _ in $(seq 100); do [ -s "$place/results/results.json" ] && break; sleep 0.02; done
@@ -288,7 +218,18 @@ check_gradescope() {
 }
 
 case ${1:-all} in
-all) check_handout; check_submit; check_update; check_class; check_gradescope ;;
+all)
+    check_odd >"$work/odd-lines" 2>&1 & # it waits for endless loops most of the time
+    check_handout; check_submit; check_update
+    wait $!
+    cat "$work/odd-lines"
+    passed=$((passed + $(grep -c '^✓' "$work/odd-lines")))
+    failed=$((failed + $(grep -c '^✗' "$work/odd-lines")))
+    check "$(grep -c '^[✓✗]' "$work/odd-lines") == 11" "odd: all of it was tried"
+    check_class; check_gradescope
+    ;;
+odd | class) "check_$1" ;;
+gradescope) check_handout; check_submit; make_odd; check_gradescope ;;
 *) check_handout; "check_$1" ;;
 esac
 finish

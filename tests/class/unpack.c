@@ -1,5 +1,6 @@
 // class_unpack FROM TO: the steps that lie in a submission (a directory, or a .tar.gz, .tgz, .tar.xz, .tar.bz2, .tar or
-// .zip), laid out like exercises/. Prints what was left out; exit 1 with one sentence when there is nothing to grade.
+// .zip), laid out like exercises/. Prints what was left out. Exit 1 with one sentence when there is nothing to grade, 3
+// when two files of one step are equally good.
 #include "unpack.h"
 
 #include <stdio.h>
@@ -23,8 +24,14 @@ bool found_is_archive(const char *name)
 
 bool found_wants(const char *path)
 {
+    static const char *const endings[] = {".c", ".h", ".cc", ".cpp", ".cxx", ".c.txt"};
     size_t length = strlen(path);
-    if (length < 3 || length > 1000 || path[length - 2] != '.' || (path[length - 1] != 'c' && path[length - 1] != 'h'))
+    bool is_code = false;
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
+        size_t ending = strlen(endings[i]);
+        is_code = is_code || (length > ending && strcasecmp(path + length - ending, endings[i]) == 0);
+    }
+    if (!is_code || length > 1000)
         return false;
     int depth = 0;
     for (const char *part = path; part; part = strchr(part, '/') ? strchr(part, '/') + 1 : NULL) {
@@ -42,7 +49,7 @@ bool found_count(Found *found, Error *error)
     return true;
 }
 
-bool found_add(Found *found, const char *path, char *bytes, size_t size, Error *error)
+static bool add(Found *found, const char *path, char *bytes, size_t size, const char *broken, Error *error)
 {
     FoundFile *files = realloc(found->files, (found->count + 1) * sizeof *files);
     char *name = strdup(path);
@@ -54,8 +61,18 @@ bool found_add(Found *found, const char *path, char *bytes, size_t size, Error *
         free(bytes);
         return error_set(error, "its C files have more than %u MB in all", MOST_KEPT >> 20);
     }
-    files[found->count++] = (FoundFile){name, bytes, size, bytes == NULL};
+    files[found->count++] = (FoundFile){name, bytes, size, broken};
     return true;
+}
+
+bool found_add(Found *found, const char *path, char *bytes, size_t size, Error *error)
+{
+    return add(found, path, bytes, size, NULL, error);
+}
+
+bool found_add_broken(Found *found, const char *path, const char *broken, Error *error)
+{
+    return add(found, path, NULL, 0, broken, error);
 }
 
 void found_free(Found *found)
@@ -73,11 +90,18 @@ static bool find(const char *from, Found *found, Error *error)
     struct stat state;
     if (stat(from, &state) != 0)
         return error_set(error, "it cannot be read");
+    if (!S_ISDIR(state.st_mode) && !found_is_archive(from) &&
+        found_wants(strrchr(from, '/') ? strrchr(from, '/') + 1 : from))
+        return error_set(error, "a file alone, called neither after a student and a step (doe_1.1_reflect.c) nor in a "
+                                "student's folder");
     if (!S_ISDIR(state.st_mode))
         return archive_find(from, found, error);
     if (!directory_find(from, found, error))
         return false;
-    if (found->count > 0 || found->archives == 0)
+    bool has_code = false;
+    for (size_t i = 0; i < found->count; i++)
+        has_code = has_code || !found->files[i].broken;
+    if (has_code || found->archives == 0)
         return true;
     if (found->archives > 1)
         return error_set(error, "there are %zu archives in it; which one counts?", found->archives);
@@ -104,14 +128,20 @@ int main(int count, char **arguments)
     limit_self();
     Found found = {NULL, 0, 0, 0, "", 0};
     Error error = {""};
-    char note[1024] = "";
-    int steps = -1;
-    if (find(arguments[1], &found, &error))
-        steps = choose_and_write(&found, arguments[2], note, sizeof note, &error);
+    char note[NOTE_SIZE] = "";
+    Chosen chosen = {{NULL}, {false}, false};
+    int written = -1;
+    if (find(arguments[1], &found, &error)) {
+        written = choose_steps(&found, &chosen, &error);
+        if (written != -2)
+            choose_note(&found, &chosen, note, sizeof note);
+    }
+    if (written > 0)
+        written = write_chosen(&found, &chosen, arguments[2], &error);
     found_free(&found);
-    if (steps < 0) {
-        fprintf(stderr, "%s\n", error.message);
-        return 1;
+    if (written < 0) {
+        fprintf(stderr, "%s%s%s\n", error.message, *note ? "; " : "", note);
+        return written == -2 ? 3 : 1;
     }
     if (*note)
         printf("%s\n", note);

@@ -14,10 +14,17 @@ static bool read_file(int directory, const char *name, const char *path, Found *
     // O_NONBLOCK: a pipe must not hold the class up.
     int file = openat(directory, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     struct stat state;
-    if (file < 0 || fstat(file, &state) != 0 || !S_ISREG(state.st_mode) || state.st_size > (off_t)MOST_FILE) {
+    const char *broken = NULL;
+    if (file < 0 || fstat(file, &state) != 0)
+        broken = "cannot be read";
+    else if (!S_ISREG(state.st_mode))
+        broken = "is no file";
+    else if (state.st_size > (off_t)MOST_FILE)
+        broken = "is larger than 1 MB";
+    if (broken) {
         if (file >= 0)
             close(file);
-        return found_add(found, path, NULL, 0, error);
+        return found_add_broken(found, path, broken, error);
     }
     size_t size = 0, room = (size_t)state.st_size;
     char *bytes = malloc(room + 1);
@@ -45,6 +52,8 @@ static bool visit(int directory, const char *name, const char *above, int depth,
         int inside = depth < MOST_DEPTH ? openat(directory, name, O_RDONLY | O_NOFOLLOW | O_DIRECTORY | O_CLOEXEC) : -1;
         return inside < 0 || walk(inside, path, depth + 1, found, error);
     }
+    if (S_ISLNK(state.st_mode)) // one without an ending may lead to a folder
+        return (!found_wants(path) && strchr(name, '.')) || found_add_broken(found, path, "is a link", error);
     if (S_ISREG(state.st_mode) && found_is_archive(name) && strlen(path) < sizeof found->archive) {
         snprintf(found->archive, sizeof found->archive, "%.1023s", path);
         found->archives++;

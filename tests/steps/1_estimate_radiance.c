@@ -175,27 +175,35 @@ static Vec3d brute_force(int scenery)
     return r > 0.0 ? vec3d_along(vec3d(0, 0, 0), sum, 3.0 / ((double)PI * r * r)) : sum;
 }
 
-// Ratios tell the mistakes apart: 3, π, r, a cosine.
+// The channel that is farthest off, by its ratio.
+static void describe_ratio(const float *found, Vec3d expected, char *text, size_t size)
+{
+    static const char *const names[] = {"red", "green", "blue"};
+    double ratio[3] = {(double)found[0] / expected.x, (double)found[1] / expected.y, (double)found[2] / expected.z};
+    int worst = 0;
+    for (int c = 1; c < 3; c++)
+        worst = fabs(ratio[c] - 1.0) > fabs(ratio[worst] - 1.0) + 1e-4 ? c : worst;
+    snprintf(text, size, ", in %s %.4g times the expected", names[worst], ratio[worst]);
+}
+
+// Ratios tell the mistakes apart: 3, π, r, a cosine. Where nothing is to be found there is none: an answer of 0/0 there
+// is a slip of its own, which would hide the mistake that comes with it.
 static void judge_scenery(int i, const float *found, Finding *finding)
 {
     Vec3d expected = brute_force(i);
     double largest = fmax(expected.x, fmax(expected.y, expected.z));
-    if (!found || !all_finite(found, 3, "a radiance", sceneries[i].what, i, finding)) {
-        largest = (double)NAN;
-    } else if (vec3d_length(vec3d_along(vec3d_of(found), expected, -1.0)) > 2e-3 * largest) {
+    bool lit = largest > 0.0;
+    if (found && all_finite(found, 3, "a radiance", sceneries[i].what, i, finding) &&
+        vec3d_length(vec3d_along(vec3d_of(found), expected, -1.0)) > 2e-3 * largest) {
         char times[60] = "";
-        if (largest > 0.0)
-            snprintf(times, sizeof times, ", in green %.4g times the expected", (double)found[1] / expected.y);
+        if (lit)
+            describe_ratio(found, expected, times, sizeof times);
         finding_fail(finding, i, "for %s: expected %s W/(m²·sr), found %s%s", sceneries[i].what,
                      text_of_power(expected), text_of_power(vec3d_of(found)), times);
     }
     double scale[3] = {expected.x, expected.y, expected.z};
-    for (int c = 0; c < 3; c++)
-        finding_feature(finding,
-                        largest > 0.0 ? (double)found[c] / scale[c] - 1.0
-                        : found       ? (double)found[c]
-                                      : largest,
-                        0.0);
+    for (int c = 0; lit && c < 3; c++)
+        finding_feature(finding, found ? (double)found[c] / scale[c] - 1.0 : (double)NAN, 0.0);
 }
 
 static void judge_values(const Results *results, Finding *finding)

@@ -12,9 +12,9 @@ static const Vec3d normals[] = {
 #define ANYWHERE 60
 #define A_FEW    50
 
-static Vec3d normal_of(int i)
+static Vec3d normal_of(int i, uint64_t seed)
 {
-    return i < NORMALS ? vec3d_rounded(vec3d_unit(normals[i])) : any_direction((uint64_t)i);
+    return i < NORMALS ? vec3d_rounded(vec3d_unit(normals[i])) : any_direction(seed + (uint64_t)i);
 }
 
 static const char *inputs_of(Vec3d normal)
@@ -26,7 +26,7 @@ static const char *inputs_of(Vec3d normal)
 
 static void plan_normal(Plan *plan, int i, long samples)
 {
-    Vec3d n = normal_of(i);
+    Vec3d n = normal_of(i, plan->seed);
     plan_call(plan, samples, (double[]){n.x, n.y, n.z}, 3);
 }
 
@@ -44,7 +44,7 @@ static double lambert(Vec3d d, const void *normal)
 static void judge_density(const Results *results, Finding *finding)
 {
     for (int i = 0; i < NORMALS; i++) {
-        Vec3d normal = vec3d_unit(normal_of(i));
+        Vec3d normal = vec3d_unit(normal_of(i, results->seed));
         const char *inputs = inputs_of(normal);
         DirectionCount count;
         DirectionExpectation expected;
@@ -65,6 +65,16 @@ static void judge_density(const Results *results, Finding *finding)
     }
 }
 
+static void plan_azimuth(Plan *plan)
+{
+    plan_normal(plan, 0, FINE_SAMPLES);
+}
+
+static void judge_azimuth(const Results *results, Finding *finding)
+{
+    judge_fine(results, "the normal", inputs_of(normal_of(0, results->seed)), finding);
+}
+
 static void plan_anywhere(Plan *plan)
 {
     for (int i = 0; i < ANYWHERE; i++)
@@ -75,7 +85,7 @@ static void judge_anywhere(const Results *results, Finding *finding)
 {
     Sums below = {0, 0, 0}, length = {0, 0, 0};
     for (int i = 0; i < ANYWHERE; i++) {
-        Vec3d normal = normal_of(NORMALS + i);
+        Vec3d normal = normal_of(NORMALS + i, results->seed);
         const char *inputs = inputs_of(normal);
         const float *d = numbers_of(results, (size_t)i, 3 * A_FEW, finding);
         for (long s = 0; d && s < A_FEW; s++, d += 3) {
@@ -90,6 +100,8 @@ static void judge_anywhere(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(scatter_diffuse,
               {"density", "Directions follow cosθ/π", CHECK_SAMPLES, plan_density, judge_density, false},
+              {"azimuth", "Directions spread evenly all around the normal", CHECK_SAMPLES, plan_azimuth, judge_azimuth,
+               false},
               {"anywhere", "Directions are unit vectors above the surface, for every normal", CHECK_INVARIANT,
                plan_anywhere, judge_anywhere, false},
               PICTURE_1)

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-static const double exponents[] = {0, 1, 5, 20, 100, 1000};
+static const double exponents[] = {0, 1, 5, 20, 100, 1000, 0.5, 2.5, 7.3};
 #define EXPONENTS (int)(sizeof exponents / sizeof *exponents)
 #define SAMPLES   20000
 
@@ -49,6 +49,18 @@ static void judge_density(const Results *results, Finding *finding)
     }
 }
 
+static const double cosine = 1; // the exponent: cos²α is even from 0 to 1
+
+static void plan_azimuth(Plan *plan)
+{
+    plan_call(plan, FINE_SAMPLES, &cosine, 1);
+}
+
+static void judge_azimuth(const Results *results, Finding *finding)
+{
+    judge_fine(results, "+z", "n = 1", finding);
+}
+
 static const double sharp[] = {10000, 1000000};
 #define SHARP 2
 #define A_FEW 10000
@@ -82,5 +94,6 @@ static void judge_sharp(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(sample_lobe,
               {"density", "Directions follow the lobe's density", CHECK_SAMPLES, plan_density, judge_density, false},
+              {"azimuth", "Directions spread evenly all around +z", CHECK_SAMPLES, plan_azimuth, judge_azimuth, false},
               {"sharp", "Very sharp lobes keep their width", CHECK_VALUES, plan_sharp, judge_sharp, false},
               PICTURE_2_PHONG)

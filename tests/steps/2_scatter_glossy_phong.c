@@ -30,8 +30,8 @@ static void judge_density(const Results *results, Finding *finding)
         directions_begin(&count, &(DirectionDensity){c.mirror, c.exponent + 1.0, true, glossy_lobe, &c});
         directions_expect(&count, &expected);
         Sums absorbed = {0, 0, 0}, below = {0, 0, 0};
-        const float *result = numbers_of(results, (size_t)i, GLOSSY_FLOATS * GLOSSY_SAMPLES, finding);
-        for (long s = 0; result && s < GLOSSY_SAMPLES; s++, result += GLOSSY_FLOATS) {
+        const float *result = numbers_of(results, (size_t)i, PHONG_FLOATS * GLOSSY_SAMPLES, finding);
+        for (long s = 0; result && s < GLOSSY_SAMPLES; s++, result += PHONG_FLOATS) {
             sums_add(&absorbed, result[0] == 0.0f);
             if (result[0] == 0.0f || !direction_is_above(result + 1, c.normal, c.inputs, i, finding))
                 continue;
@@ -59,8 +59,8 @@ static void judge_weight(const Results *results, Finding *finding)
         GlossyCase c = glossy_case(i);
         double factor = (c.exponent + 2.0) / (c.exponent + 1.0);
         Sums off = {0, 0, 0}, ratio = {0, 0, 0};
-        const float *result = numbers_of(results, (size_t)i, GLOSSY_FLOATS * GLOSSY_SAMPLES, finding);
-        for (long s = 0; result && s < GLOSSY_SAMPLES; s++, result += GLOSSY_FLOATS) {
+        const float *result = numbers_of(results, (size_t)i, PHONG_FLOATS * GLOSSY_SAMPLES, finding);
+        for (long s = 0; result && s < GLOSSY_SAMPLES; s++, result += PHONG_FLOATS) {
             if (result[0] == 0.0f)
                 continue;
             double expected = factor * vec3d_dot(vec3d_of(result + 1), c.normal), weight = (double)result[4];
@@ -83,8 +83,8 @@ static void judge_albedo(const Results *results, Finding *finding)
         GlossyCase c = glossy_case(i);
         double albedo = (c.exponent + 2.0) / (2.0 * (double)PI) * lobe_weighted_exactly(c.exponent, c.cos_in);
         Sums carried = {0, 0, 0};
-        const float *result = numbers_of(results, (size_t)i, GLOSSY_FLOATS * GLOSSY_SAMPLES, finding);
-        for (long s = 0; result && s < GLOSSY_SAMPLES; s++, result += GLOSSY_FLOATS)
+        const float *result = numbers_of(results, (size_t)i, PHONG_FLOATS * GLOSSY_SAMPLES, finding);
+        for (long s = 0; result && s < GLOSSY_SAMPLES; s++, result += PHONG_FLOATS)
             sums_add(&carried, result[0] != 0.0f ? (double)result[4] : 0.0);
         if (result)
             finding_p(finding, normal_p((sums_mean(&carried) - albedo) / sums_error(&carried)), i,

@@ -16,9 +16,9 @@ static const Vec3d axes[] = {
 static const Vec3d locals[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0, 0.8}, {0, -0.8, 0.6}, {0.48, 0.6, -0.64}};
 #define LOCALS (int)(sizeof locals / sizeof *locals)
 
-static Vec3d axis_of(int i)
+static Vec3d axis_of(int i, uint64_t seed)
 {
-    return i < AXES ? vec3d_rounded(vec3d_unit(axes[i])) : any_direction((uint64_t)i);
+    return i < AXES ? vec3d_rounded(vec3d_unit(axes[i])) : any_direction(seed + (uint64_t)i);
 }
 
 static const char *inputs_of(Vec3d local, Vec3d axis)
@@ -36,13 +36,13 @@ static void plan_turn(Plan *plan, Vec3d local, Vec3d axis)
 static void plan_pole(Plan *plan)
 {
     for (int i = 0; i < AXES; i++)
-        plan_turn(plan, vec3d(0, 0, 1), axis_of(i));
+        plan_turn(plan, vec3d(0, 0, 1), axis_of(i, plan->seed));
 }
 
 static void judge_pole(const Results *results, Finding *finding)
 {
     for (int i = 0; i < AXES; i++) {
-        Vec3d axis = axis_of(i);
+        Vec3d axis = axis_of(i, results->seed);
         const float *found = numbers_of(results, (size_t)i, 3, finding);
         if (found)
             vector_is(found, axis, 2e-3, inputs_of(vec3d(0, 0, 1), axis), i, finding);
@@ -54,13 +54,13 @@ static void plan_angles(Plan *plan)
 {
     for (int i = 0; i < AXES + ANYWHERE; i++)
         for (int j = 0; j < LOCALS; j++)
-            plan_turn(plan, vec3d_rounded(locals[j]), axis_of(i));
+            plan_turn(plan, vec3d_rounded(locals[j]), axis_of(i, plan->seed));
 }
 
 // Lengths and angles between any two stay. Known formulas for a frame lose digits near −z: 1 % there.
 static void judge_axis(const Results *results, int i, double *length_off, double *angle_off, Finding *finding)
 {
-    Vec3d axis = axis_of(i);
+    Vec3d axis = axis_of(i, results->seed);
     double tolerance = axis.z < -0.99 ? 1e-2 : 1e-3;
     for (int j = 0; j < LOCALS; j++) {
         long number = (long)i * LOCALS + j;
@@ -91,7 +91,7 @@ static void judge_angles(const Results *results, Finding *finding)
 {
     double length_off = 0.0, angle_off = 0.0, polar_length = 0.0, polar_angle = 0.0;
     for (int i = 0; i < AXES + ANYWHERE; i++) {
-        bool pole = fabs(axis_of(i).z) > 0.99;
+        bool pole = fabs(axis_of(i, results->seed).z) > 0.99;
         judge_axis(results, i, pole ? &polar_length : &length_off, pole ? &polar_angle : &angle_off, finding);
     }
     finding_feature(finding, length_off / (AXES + ANYWHERE), 0.0);
@@ -107,7 +107,7 @@ static void judge_tilt(const Results *results, Finding *finding)
         double off = 0.0;
         for (int i = 0; i < AXES + ANYWHERE; i++) {
             long number = (long)i * LOCALS + j;
-            Vec3d axis = axis_of(i);
+            Vec3d axis = axis_of(i, results->seed);
             const float *found = numbers_of(results, (size_t)number, 3, finding);
             double cosine = found ? vec3d_dot(vec3d_of(found), axis) : (double)NAN;
             off += (cosine - locals[j].z) / (AXES + ANYWHERE);

@@ -12,6 +12,16 @@ static const double cosines[] = {1.0,          0.99, 0.9135454576, 0.9077775, 0.
 #define TOLERANCE 1e-3
 #define ROUNDING  1e-5 // of cos²θ_t in float, many times over: below it only the range is asked for
 
+#define ANYWHERE 60
+
+// One of other pairs with every salt: cosθ_i and eta.
+static void pair_of(uint64_t seed, int number, double *cos_i, double *eta)
+{
+    uint64_t hash = hash_u64(seed + (uint64_t)number);
+    *cos_i = (double)(float)(0.02 + 0.98 * (double)(hash & 0xfffff) / 1048576.0);
+    *eta = (double)(float)(0.4 + 2.1 * (double)(hash >> 20 & 0xfffff) / 1048576.0);
+}
+
 static void plan_table(Plan *plan)
 {
     for (int e = 0; e < ETAS; e++)
@@ -63,6 +73,26 @@ static void judge_table(const Results *results, Finding *finding)
     }
 }
 
+static void plan_anywhere(Plan *plan)
+{
+    for (int number = 0; number < ANYWHERE; number++) {
+        double arguments[2];
+        pair_of(plan->seed, number, &arguments[0], &arguments[1]);
+        plan_call(plan, 1, arguments, 2);
+    }
+}
+
+static void judge_anywhere(const Results *results, Finding *finding)
+{
+    for (int number = 0; number < ANYWHERE; number++) {
+        double cos_i, eta;
+        pair_of(results->seed, number, &cos_i, &eta);
+        judge_value(cos_i, eta, found_in(&results->cases[number]), number, finding);
+    }
+}
+
 DEFINE_CHECKS(fresnel,
               {"table", "The share reflected, over indices and angles", CHECK_VALUES, plan_table, judge_table, false},
+              {"anywhere", "The share reflected, for any index and angle", CHECK_VALUES, plan_anywhere, judge_anywhere,
+               false},
               PICTURE_3)

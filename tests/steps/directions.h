@@ -123,6 +123,14 @@ void directions_features(const DirectionCount *count, const DirectionExpectation
 void directions_histogram(const DirectionCount *count, const DirectionExpectation *expected, const char *title,
                           Finding *finding);
 
+// ---- very many samples of density cos/π about +z, in fine cells (fine_cells.c) ----
+
+#define FINE_SAMPLES 1200000
+
+// Case 0 must be that many directions. Finds what a coarse count cannot: φ in degrees (360·u is 1 % off), a gap of a
+// few degrees, one angle that comes again and again. `axis` and `inputs` are words: "the normal", "n = (0, 0, 1)".
+void judge_fine(const Results *results, const char *axis, const char *inputs, Finding *finding);
+
 // A feature: a mean less the expected, with its standard error.
 void mean_feature(const Sums *sums, double expected, Finding *finding);
 

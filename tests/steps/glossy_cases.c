@@ -2,14 +2,15 @@
 
 #include <stdio.h>
 
-// Exponent, angle to the normal in degrees, the normal. Blunt to sharp, head-on to grazing; the last three are for the
-// histogram, a slanted normal, and one that points down.
+// Exponent, angle to the normal in degrees, the normal. Blunt to sharp, head-on to grazing, for the histogram, about a
+// slanted normal and one that points down; and exponents that are no whole numbers.
 static const struct {
     double exponent, degrees;
     Vec3d normal;
 } cases[GLOSSY_CASES] = {
-    {0, 45, {0, 0, 1}}, {1, 70, {0, 0, 1}},  {5, 30, {1, 0, 0}},           {100, 80, {0, 0, 1}}, {1000, 60, {0, 1, 0}},
-    {20, 0, {0, 0, 1}}, {20, 60, {0, 0, 1}}, {50, 85, {0.48, -0.64, 0.6}}, {10, 50, {0, 0, -1}},
+    {0, 45, {0, 0, 1}},    {1, 70, {0, 0, 1}},   {5, 30, {1, 0, 0}},   {100, 80, {0, 0, 1}},
+    {1000, 60, {0, 1, 0}}, {20, 0, {0, 0, 1}},   {20, 60, {0, 0, 1}},  {50, 85, {0.48, -0.64, 0.6}},
+    {10, 50, {0, 0, -1}},  {0.5, 60, {0, 0, 1}}, {2.5, 45, {0, 1, 0}}, {7.3, 70, {0, 0, 1}},
 };
 
 GlossyCase glossy_case(int number)

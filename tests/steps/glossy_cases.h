@@ -4,9 +4,10 @@
 
 #include "directions.h"
 
-#define GLOSSY_CASES   9
+#define GLOSSY_CASES   12
 #define GLOSSY_SAMPLES 12000
-#define GLOSSY_FLOATS  5 // ok, direction, weight
+#define PHONG_FLOATS   5 // true, direction, weight
+#define SOURCE_FLOATS  6 // the same, and how often redraw_cap_reached() was called
 
 typedef struct {
     Vec3d direction, normal, mirror; // as the step gets the first two; unit

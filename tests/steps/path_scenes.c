@@ -19,6 +19,9 @@ double survival(const double flux[3], const double reflectance[3])
 
 #define FURNACE_PHOTONS 20000
 
+// A photon carries 1.5e-12 W of red: however dim it is, it flies on.
+static const double furnace_power[3] = {3e-8, 2e-8, 1e-8};
+
 void plan_furnace(Plan *plan, const char *step)
 {
     plan_paths(plan, SCENES "furnace.yaml", FURNACE_PHOTONS, 1, BATCH_BOUNCES, step);
@@ -31,7 +34,7 @@ static double expect_bounce(PathCase *c, int before)
     double power[3];
     for (int i = 0; i < 3; i++)
         power[i] = pow(reflectance[i], before);
-    double share = survival(scene_power, power);
+    double share = survival(furnace_power, power);
     char which[200];
     snprintf(which, sizeof which,
              before ? "stored after %d bounce%s" : "stored on the first surface that they meet (before the roulette)",
@@ -40,7 +43,7 @@ static double expect_bounce(PathCase *c, int before)
     expect_share(c, sum->count, share, which);
     Landed landed = {{0}, NULL, NULL};
     for (int i = 0; i < 3; i++)
-        landed.flux[i] = scene_power[i] * power[i] / share;
+        landed.flux[i] = furnace_power[i] * power[i] / share;
     snprintf(which, sizeof which, "photons on a diffuse wall after %d bounce%s (with the power that they arrive with)",
              before, before == 1 ? "" : "s");
     expect_landed(c, sum, &landed, which);
@@ -70,7 +73,7 @@ void judge_furnace(const Results *results, Finding *finding)
                  "stored as direct from the light (a photon that bounces is the same photon: it must keep what it is)");
     expect_even(&c, 1);
     expect_even(&c, 2);
-    expect_value(&c, c.batch.escaped[0], 0.0, 3.0, "W of red to leave a closed ball");
+    expect_value(&c, c.batch.escaped[0], 0.0, furnace_power[0], "W of red to leave a closed ball");
     expect_books(&c);
 }
 

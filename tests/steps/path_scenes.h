@@ -18,7 +18,7 @@ void judge_mirrors(const Results *results, Finding *finding);
 void plan_room(Plan *plan, const char *step);
 void judge_room(const Results *results, Finding *finding);
 
-// The power of the light in all of these scenes, W.
+// The power of the light in these scenes, W; the furnace's is its own.
 extern const double scene_power[3];
 // The chance to survive a surface that leaves `reflectance` of a photon of power `flux`: see step 1.4.
 double survival(const double flux[3], const double reflectance[3]);

@@ -11,4 +11,4 @@ make -j"$(getconf _NPROCESSORS_ONLN)" class-tools meshes
 chmod -R go-rwx solutions build/solutions build/obj
 find tests -mindepth 1 \( -path tests/steps -o -path 'tests/steps/scenes*' \) -prune -o -exec chmod go-rwx {} +
 find tests/steps -mindepth 1 -path tests/steps/scenes -prune -o -exec chmod go-rwx {} +
-chmod go-rwx "$source/run_autograder" "$source/setup.sh"
+chmod go-rwx "$source/run_autograder" "$source/setup.sh" "$source/salt"
