@@ -4,7 +4,7 @@
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
-build=$1
+build=$(cd "$1" && pwd)
 stage1="$work/my code/1_diffuse_photon_map"
 mkdir -p "$stage1"
 judge=("$build/judge" --build "$build" --work "$work/test" --compiler "$2" --flags "$3" --link "$4" --code "$work/my code")

@@ -261,7 +261,7 @@ ok "lines of sentences fit 60 columns" [ "$(grep -v 'exercises/' "$work/terminal
     LC_ALL=C awk '{ n = gsub(/[^\200-\277]/, "") } n > 60' | wc -l)" = 0 ]
 "$print_sample" verbose >"$work/terminal"
 ok "verbose: each check" says "$work/terminal" "✓ Directions follow the density: p = 0.3, wrong below 0.00033"
-if command -v script >/dev/null; then
+if [ "$(script -qec "echo yes" /dev/null 2>/dev/null </dev/null | tr -d '\r')" = yes ]; then
     TERM=xterm NO_COLOR='' script -qec "\"$print_sample\"" /dev/null >"$work/terminal" </dev/null
     ok "colours on a terminal" grep -q "$(printf '\033\\[32m')" "$work/terminal"
     TERM=xterm NO_COLOR=1 script -qec "\"$print_sample\"" /dev/null >"$work/terminal" </dev/null

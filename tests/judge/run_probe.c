@@ -32,8 +32,7 @@ static bool is_visible(const StepChecks *checks, const StepInfo *step, const Ste
 }
 
 typedef struct {
-    char program[4096], library[4096], scenes[4096], check_scenes[4096], meshes[4096], references[4096], object[4096],
-        cases[4096];
+    char program[4096], library[4096], scenes[4096], references[4096], object[4096], cases[4096];
     char solutions[STEP_COUNT][4096];
 } Paths;
 
@@ -43,8 +42,7 @@ static void find_paths(const GradeOptions *o, const StepInfo *step, bool scene, 
     step_directory(o, step, directory, sizeof directory);
     snprintf(p->program, sizeof p->program, "%s/photonlab", o->build);
     snprintf(p->library, sizeof p->library, "%s/libphotonlab.so", o->build);
-    snprintf(p->scenes, sizeof p->scenes, "%s/scenes", o->root);
-    snprintf(p->check_scenes, sizeof p->check_scenes, "%s/tests/steps/scenes", o->root);
+    snprintf(p->scenes, sizeof p->scenes, "%s/tests/steps/scenes", o->root);
     snprintf(p->references, sizeof p->references, "%s/solutions", o->build);
     snprintf(p->object, sizeof p->object, "%s/step.so", directory);
     snprintf(p->cases, sizeof p->cases, "%s/%s.txt", directory, scene ? "scenes" : "calls");
@@ -167,7 +165,6 @@ Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, 
     int visible = 4;
     if (scene) {
         run.visible[visible++] = p.scenes;
-        run.visible[visible++] = p.check_scenes;
     }
     for (size_t i = 0; i < STEP_COUNT; i++) {
         snprintf(p.solutions[i], sizeof p.solutions[i], "%s/solutions/%s.so", options->build, step_table[i].file);

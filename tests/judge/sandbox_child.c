@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 // Descriptors of the child, before it becomes the program.
@@ -147,6 +148,12 @@ void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launc
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (kind == SANDBOX_UID && !sandbox_filter_enter(launch))
         complain("the filter of system calls is refused", "");
-    execve(path, launch->arguments.list, launch->environment.list);
+    // "Text file busy": another thread's child holds the copy open for writing until its own exec, a moment later.
+    for (int attempt = 0; attempt < 500; attempt++) {
+        execve(path, launch->arguments.list, launch->environment.list);
+        if (errno != ETXTBSY)
+            break;
+        nanosleep(&(struct timespec){0, 10000000}, NULL);
+    }
     complain("cannot be started", path);
 }

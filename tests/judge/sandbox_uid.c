@@ -42,13 +42,13 @@ static bool is_below(const char *path, const char *top)
     return strncmp(path, top, length) == 0 && (path[length] == '/' || path[length] == '\0');
 }
 
-static bool needs_copy(const SandboxRun *run, const char *path)
+// All or nothing: what the program is told of one folder must hold for what else lies in it.
+static bool needs_copies(const SandboxRun *run)
 {
-    struct stat state;
-    if (room_is_open(path) || stat(path, &state) != 0)
-        return false;
-    // Scenes are named inside of the cases, so they have to stay where they are.
-    return run->compiler || !S_ISDIR(state.st_mode);
+    for (int i = 0; i < MOST_VISIBLE && run->visible[i]; i++)
+        if (!room_is_open(run->visible[i]))
+            return true;
+    return false;
 }
 
 // Where the program finds what an argument names: in the room, when it, or something in it or above it, was copied.
@@ -63,8 +63,9 @@ static void add_argument(const SandboxRun *run, Launch *launch, const bool *copi
 
 static bool fill_room(const SandboxRun *run, Launch *launch, bool *copied, Error *error)
 {
+    bool closed = needs_copies(run);
     for (int i = 0; i < MOST_VISIBLE && run->visible[i]; i++) {
-        copied[i] = needs_copy(run, run->visible[i]);
+        copied[i] = closed && access(run->visible[i], F_OK) == 0;
         if (copied[i] && !room_copy(launch->room, run->visible[i], 0, launch->uid, error))
             return false;
         if (access(run->visible[i], F_OK) == 0)
