@@ -15,22 +15,23 @@ part() {
     count "$title" "$logs/part" $? $((SECONDS - start))
 }
 
-# A part that waits more than it works, beside the others; `join` counts it.
+# Parts that wait more than they work, one after the other beside the rest; `join` counts them.
 aside() {
-    aside_title=$1
-    shift
-    aside_start=$SECONDS
-    {
-        "$@" >"$logs/aside" 2>&1
-        echo $? $((SECONDS - aside_start)) >"$logs/aside.code"
-    } &
+    beside=("$@")
+    for target in "$@"; do
+        local start=$SECONDS
+        "$make" --no-print-directory "$target" >"$logs/$target" 2>&1
+        echo $? $((SECONDS - start)) >"$logs/$target.code"
+    done &
 }
 
 join() {
-    local code seconds
+    local code seconds target
     wait
-    read -r code seconds <"$logs/aside.code"
-    count "$aside_title" "$logs/aside" "$code" "$seconds"
+    for target in "${beside[@]}"; do
+        read -r code seconds <"$logs/$target.code"
+        count "$target" "$logs/$target" "$code" "$seconds"
+    done
 }
 
 # count TITLE LOG CODE SECONDS
@@ -54,8 +55,8 @@ count() {
     echo "   $seconds s"
 }
 
-part "build" "$make" --no-print-directory judge class-tools
-aside "attacks" "$make" --no-print-directory check-attacks
+part "build" "$make" --no-print-directory judge class-tools meshes
+aside check-attacks check-class check-reports check-sandbox check-judge
 part "unit tests" "$make" --no-print-directory check-unit
 part "unit tests under sanitizers" "$make" --no-print-directory check-sanitized
 part "gcc and clang, threads: the same bytes" "$make" --no-print-directory check-bytes
@@ -63,14 +64,10 @@ part "command line" "$make" --no-print-directory check-cli
 part "command line under sanitizers" "$make" --no-print-directory check-cli-sanitized
 part "probe" "$make" --no-print-directory check-probe
 part "exercises" "$make" --no-print-directory check-exercises
-join
 part "the grader graded" env HANDS=b "$make" --no-print-directory check-grader-quick
-part "judge" "$make" --no-print-directory check-judge
-part "sandbox" "$make" --no-print-directory check-sandbox
-part "reports" "$make" --no-print-directory check-reports
-part "class, handout, submitting" "$make" --no-print-directory check-class
 part "against an independent renderer" "$make" --no-print-directory reference
 part "photons against the path tracer" "$make" --no-print-directory agreement
+join
 
 echo
 echo "$passed passed, $failed failed"
