@@ -6,13 +6,17 @@ packages="gcc make pkg-config libpng-dev libcyaml-dev libyaml-dev libcmocka-dev 
  binutils libgsl-dev libjansson-dev libseccomp-dev libarchive-dev bubblewrap gdb patch parallel zip unzip jq libxml2-utils perl"
 packages=$(echo $packages)
 
-others='photonlab needs a C99 compiler, GNU make, libpng, libcyaml and libyaml; its tests also cmocka, clang with OpenMP, and xz.
-  Fedora     sudo dnf install gcc make pkgconf libpng-devel libcyaml-devel libyaml-devel libcmocka-devel clang libomp-devel xz
-  Arch       sudo pacman -S gcc make pkgconf libpng libyaml cmocka clang openmp xz; libcyaml from the AUR
-  Homebrew   brew install make pkg-config libpng libcyaml libyaml cmocka llvm libomp xz'
+others='photonlab needs a C99 compiler, GNU make, libpng, libcyaml and libyaml; make test also GSL, jansson, libseccomp, bubblewrap,
+libarchive and gdb; its own tests also cmocka, clang with OpenMP, xz, patch, GNU parallel, zip, unzip, jq, xmllint and perl.
+  Fedora     sudo dnf install gcc make pkgconf libpng-devel libcyaml-devel libyaml-devel libcmocka-devel clang libomp-devel xz \
+                 gsl-devel jansson-devel libseccomp-devel libarchive-devel bubblewrap gdb binutils patch parallel zip unzip jq libxml2 perl
+  Arch       sudo pacman -S gcc make pkgconf libpng libyaml cmocka clang openmp xz gsl jansson libseccomp libarchive bubblewrap gdb \
+                 binutils patch parallel zip unzip jq libxml2 perl; libcyaml from the AUR
+  Homebrew   brew install make pkg-config libpng libcyaml libyaml cmocka llvm libomp xz gsl jansson libarchive parallel jq
+             (the sandbox of make test is for Linux alone: on macOS use a Linux machine or container for it)'
 
 if ! command -v apt-get >/dev/null 2>&1; then
-    echo "$others"
+    printf '%s\n' "$others"
     exit 0
 fi
 missing=""
