@@ -56,7 +56,7 @@ count() {
 }
 
 part "build" "$make" --no-print-directory judge class-tools meshes
-aside check-attacks check-class check-reports check-sandbox check-judge
+aside check-attacks check-class check-reports check-judge
 part "unit tests" "$make" --no-print-directory check-unit
 part "unit tests under sanitizers" "$make" --no-print-directory check-sanitized
 part "gcc and clang, threads: the same bytes" "$make" --no-print-directory check-bytes
@@ -68,6 +68,7 @@ part "the grader graded" env HANDS=b "$make" --no-print-directory check-grader-q
 part "against an independent renderer" "$make" --no-print-directory reference
 part "photons against the path tracer" "$make" --no-print-directory agreement
 join
+part "sandbox" "$make" --no-print-directory check-sandbox # counts seconds, so alone
 
 echo
 echo "$passed passed, $failed failed"
