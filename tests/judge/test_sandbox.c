@@ -105,9 +105,11 @@ static int inside(const char *what, const char *path)
 
 // ---- outside ----
 
+#define RESULTS 64 // more than any test starts at once: a result must stand until it has been looked at
+
 static SandboxResult *run(SandboxKind kind, const char *what, const char *path, SandboxRun limits)
 {
-    static SandboxResult result[16];
+    static SandboxResult result[RESULTS];
     static int next;
     int mine;
 #pragma omp atomic capture
@@ -123,7 +125,7 @@ static SandboxResult *run(SandboxKind kind, const char *what, const char *path, 
     limits.wall_seconds = limits.wall_seconds > 0 ? limits.wall_seconds : 20;
     limits.memory_mb = limits.memory_mb ? limits.memory_mb : 256;
     limits.file_mb = 1;
-    SandboxResult *mine_result = &result[mine % 16];
+    SandboxResult *mine_result = &result[mine % RESULTS];
     if (!sandbox_run(kind, &limits, mine_result, &error))
         printf("  %s: %s\n", what, error.message);
     return mine_result;
