@@ -1,31 +1,8 @@
 // index.html: the class at a glance. One file, no scripts.
+#include "../judge/report/text.h"
 #include "class_table.h"
 
 #include <string.h>
-
-static void markup(FILE *stream, const char *text)
-{
-    for (; *text; text++)
-        switch (*text) {
-        case '<':
-            fputs("&lt;", stream);
-            break;
-        case '>':
-            fputs("&gt;", stream);
-            break;
-        case '&':
-            fputs("&amp;", stream);
-            break;
-        case '"':
-            fputs("&quot;", stream);
-            break;
-        case '\'':
-            fputs("&#39;", stream);
-            break;
-        default:
-            fputc(*text, stream);
-        }
-}
 
 // A path in a link: every byte but the harmless ones as %XX.
 static void link_path(FILE *stream, const char *path)
@@ -118,7 +95,7 @@ static void write_mistakes(FILE *stream, const TableRow *rows, size_t count)
         if (mistakes[most].count == 0)
             break;
         fprintf(stream, "<tr><td class=n>%zu<td>%s<td>", mistakes[most].count, mistakes[most].step);
-        markup(stream, mistakes[most].mistake);
+        text_markup(stream, mistakes[most].mistake);
         fputs("</tr>\n", stream);
         mistakes[most].count = 0;
     }
@@ -137,11 +114,11 @@ static bool has_note(const Student *student)
 static void write_note(FILE *stream, const Student *student, size_t columns)
 {
     fprintf(stream, "<tr><td class=note colspan=%zu>", columns);
-    markup(stream, student->message);
+    text_markup(stream, student->message);
     for (size_t i = 0; i < STEP_COUNT; i++)
         if (*mistake_of(student, i)) {
             fprintf(stream, "<br>%s: ", step_table[i].id);
-            markup(stream, mistake_of(student, i));
+            text_markup(stream, mistake_of(student, i));
         }
     fputs("</tr>\n", stream);
 }
@@ -153,7 +130,7 @@ static void write_student(FILE *stream, const Csv *roster, const TableRow *row)
     fputs(noted ? "<tr class=noted>" : "<tr>", stream);
     for (size_t c = 0; roster && c < roster->columns; c++) {
         fputs("<td>", stream);
-        markup(stream, row->roster_row ? csv_cell(roster, row->roster_row, c) : "");
+        text_markup(stream, row->roster_row ? csv_cell(roster, row->roster_row, c) : "");
     }
     fputs("<td>", stream);
     if (s->has_page) {
@@ -161,7 +138,7 @@ static void write_student(FILE *stream, const Csv *roster, const TableRow *row)
         link_path(stream, s->name);
         fputs("/index.html\">", stream);
     }
-    markup(stream, s->name);
+    text_markup(stream, s->name);
     fprintf(stream, "%s<td>%s%s<td class=n>%.1f", s->has_page ? "</a>" : "", s->status,
             roster && !s->in_roster ? ", not in the roster" : "", s->points);
     for (size_t i = 0; i < STEP_COUNT; i++)
@@ -194,7 +171,7 @@ void page_write(FILE *stream, const Csv *roster, const TableRow *rows, size_t co
     fputs("<h2>Submissions</h2>\n<table><tr>", stream);
     for (size_t c = 0; roster && c < roster->columns; c++) {
         fputs("<th>", stream);
-        markup(stream, csv_cell(roster, 0, c));
+        text_markup(stream, csv_cell(roster, 0, c));
     }
     fputs("<th>submission<th>status<th>points", stream);
     for (size_t i = 0; i < STEP_COUNT; i++)
