@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "photons/oddities.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -188,25 +189,9 @@ void report_suspects(StepChoice choice)
 
 void report_oddities(const Ledger *ledger, long unsound)
 {
-    static const char *const names[] = {"red", "green", "blue"};
-    if (redraw_cap_count() > 0)
-        fprintf(stderr, "step 2.3: %ld photons were dropped after %d redraws of the lobe\n", redraw_cap_count(),
-                MAX_LOBE_TRIES);
-    if (unsound > 0)
-        fprintf(stderr, "%ld paths ended since a step gave a direction that is not of unit length (NaN, say)\n",
-                unsound);
-    for (int c = 0; c < 3; c++) {
-        double error = ledger->chance_error[c];
-        // Rounding alone moves the sum by a millionth.
-        if (fabs(ledger->chance[c]) <= 5.0 * error + 1e-6 * ledger->emitted[c])
-            continue;
-        fprintf(
-            stderr,
-            "energy: of %.4g W of %s light, bounces won %.4g W by chance, where 0 ± %.2g is right. A step's weight or "
-            "probability is off\n",
-            ledger->emitted[c], names[c], -ledger->chance[c], error);
-        return;
-    }
+    char text[ODDITIES_SIZE];
+    oddities_describe(ledger, unsound, redraw_cap_count(), text, sizeof text);
+    fputs(text, stderr);
 }
 
 static void print_channels(const char *name, const double value[3])

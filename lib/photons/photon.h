@@ -27,8 +27,9 @@ typedef struct {
     PhotonColour colour;
     PhotonPath path;
     int bounce;                // surfaces met so far
-    uint32_t from;             // kept by photon_fly: the surface it left …
-    const void *left_material; // … and what that is made of (NULL: fresh from the light)
+    uint32_t from;             // kept by photon_fly: the surface it left,
+    float flown;               // how far it flew since the light, m,
+    const void *left_material; // and what the surface is made of (NULL: fresh from the light)
 } Photon;
 
 // A photon at rest in the map: 32 bytes.

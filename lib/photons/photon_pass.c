@@ -84,6 +84,8 @@ static void trace_chunk(PhotonTrace *trace, const PhotonPassOptions *options, co
     void (*trace_path)(PhotonTrace *, Photon, Rng *) =
         options->loop ? steps.trace_photon : steps.trace_photon_in_colour;
     for (long i = first; i < last; i++) {
+        if (trace->recorder)
+            trace->recorder->path(trace->recorder->user, i);
         Rng rng = rng_create(options->seed, (uint64_t)i);
         size_t l = pick_light(chances, scene->light_count, &rng);
         Photon photon = light_emit(&scene->lights[l], &rng);
@@ -158,15 +160,25 @@ static bool merge(PhotonPass *pass, PhotonTrace *chunks, long chunk_count, const
     return true;
 }
 
+static long last_path(const PhotonPassOptions *options)
+{
+    return options->last > 0 ? options->last : options->photons;
+}
+
 static void trace_all(const Scene *scene, const PhotonPassOptions *options, const LightChance *chances,
                       PhotonTrace *chunks, long chunk_count)
 {
     long done = 0;
+    long end = last_path(options);
 #pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
     for (long i = 0; i < chunk_count; i++) {
-        PhotonTrace trace = {.scene = scene, .depth = options->depth, .keep = options->keep, .glossy = options->glossy};
-        long first = i * CHUNK;
-        long last = first + CHUNK < options->photons ? first + CHUNK : options->photons;
+        PhotonTrace trace = {.scene = scene,
+                             .depth = options->depth,
+                             .keep = options->keep,
+                             .glossy = options->glossy,
+                             .recorder = options->recorder};
+        long first = options->first + i * CHUNK;
+        long last = first + CHUNK < end ? first + CHUNK : end;
         trace_chunk(&trace, options, chances, first, last);
         chunks[i] = trace; // at the end: neighbours in the array share cache lines
 #pragma omp critical(photon_pass_progress)
@@ -176,9 +188,9 @@ static void trace_all(const Scene *scene, const PhotonPassOptions *options, cons
 
 bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, PhotonPass *pass, Error *error)
 {
-    *pass = (PhotonPass){.emitted = options->photons};
+    *pass = (PhotonPass){.emitted = last_path(options) - options->first};
     double start = clock_seconds();
-    long chunk_count = (options->photons + CHUNK - 1) / CHUNK;
+    long chunk_count = (pass->emitted + CHUNK - 1) / CHUNK;
     PhotonTrace *chunks = calloc((size_t)chunk_count, sizeof *chunks);
     LightChance *chances = light_chances(scene);
     bool ok = chunks && chances;

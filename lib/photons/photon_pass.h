@@ -10,6 +10,16 @@
 #define KEEP_INDIRECT (1u << PATH_INDIRECT)
 #define KEEP_ALL      (KEEP_DIRECT | KEEP_CAUSTIC | KEEP_INDIRECT)
 
+// Told of what happens as it happens, for those who look on. For passes on one thread.
+typedef struct {
+    void *user;
+    void (*path)(void *user, long path); // a path begins
+    // A photon comes to rest, `flown` metres after the light. It goes here alone, not into the pass.
+    void (*stored)(void *user, const StoredPhoton *photon, float flown);
+    // A photon, as it is when it sets out, flies to this hit; NULL: it leaves the scene.
+    void (*leg)(void *user, const Photon *photon, const Hit *hit);
+} PhotonRecorder;
+
 typedef struct {
     long photons; // to emit
     int depth;    // surfaces a path may meet
@@ -18,6 +28,8 @@ typedef struct {
     unsigned keep;      // KEEP_…: which photons to store
     GlossyModel glossy; // which BRDF the ledger expects at glossy surfaces
     bool loop;          // play the loop of step 1.5 in place of the recursion of 3.4
+    long first, last;   // only the paths first…last−1 of `photons`, as they are among all of them; last 0: all
+    const PhotonRecorder *recorder; // NULL: none
     Progress progress;
 } PhotonPassOptions;
 
@@ -44,7 +56,7 @@ typedef struct {
     PhotonArray caustic; // KEEP_CAUSTIC photons, apart, when direct photons are not kept as well
     PhotonArray rest;    // all others that were kept; everything in the case of KEEP_ALL
     Ledger ledger;
-    long emitted;
+    long emitted; // paths traced
     size_t stored;
     uint64_t segments; // rays traced
     long unsound;      // paths that ended because a step gave a direction not of unit length; counted as escaped

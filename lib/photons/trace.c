@@ -47,11 +47,15 @@ bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
     }
     Ray ray = {photon->position, photon->direction, photon->from};
     trace->segments++;
-    if (!scene_intersect(trace->scene, &ray, hit)) {
+    bool met = scene_intersect(trace->scene, &ray, hit);
+    if (trace->recorder)
+        trace->recorder->leg(trace->recorder->user, photon, met ? hit : NULL);
+    if (!met) {
         add_power(trace->ledger.escaped, photon->power);
         return false;
     }
     photon->bounce++;
+    photon->flown += hit->distance;
     photon->from = hit->primitive;
     photon->left_material = hit->material;
     book_arrival(trace, photon, hit);
@@ -76,11 +80,12 @@ void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
 {
     if (!(trace->keep & (1u << photon->path)))
         return;
-    if (trace->count == trace->room && !grow(trace))
+    if (!trace->recorder && trace->count == trace->room && !grow(trace))
         return;
     int before = photon->bounce - 1;
-    trace->caustics += photon->path == PATH_CAUSTIC;
-    trace->photons[trace->count++] = (StoredPhoton){
+    StoredPhoton aside;
+    StoredPhoton *to = trace->recorder ? &aside : &trace->photons[trace->count++];
+    *to = (StoredPhoton){
         .position = hit->position,
         .power = photon->power,
         .packed_wi = direction_pack(vec3_negate(photon->direction)),
@@ -89,6 +94,10 @@ void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
         .bounce = (uint8_t)(before < 255 ? before : 255),
         .material = (uint8_t)(hit->material - trace->scene->materials),
     };
+    if (trace->recorder)
+        trace->recorder->stored(trace->recorder->user, to, photon->flown);
+    else
+        trace->caustics += photon->path == PATH_CAUSTIC;
 }
 
 bool photon_scatter_glossy(Photon *photon, const Hit *hit, Rng *rng)

@@ -9,6 +9,7 @@ struct PhotonTrace {
     int depth;
     unsigned keep;
     GlossyModel glossy;
+    const PhotonRecorder *recorder;
 
     StoredPhoton *photons; // what this chunk of paths has stored, in order
     size_t count, room;
