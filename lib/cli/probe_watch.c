@@ -1,103 +1,31 @@
 // What a crash leaves behind: one line that says which signal, in which case, and where in the step's object.
-#define _GNU_SOURCE // dladdr, REG_RIP
+#define _GNU_SOURCE // dladdr
 #include "cli/probe.h"
+#include "steps/crash_report.h"
 
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/time.h>
 #include <unistd.h>
 
-#if defined(__GLIBC__) || defined(__APPLE__)
-#include <execinfo.h>
-#define HAS_BACKTRACE 1
-#endif
-
 #if defined(__linux__)
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
-#include <ucontext.h>
 #endif
 
-#define MOST_FRAMES 64
 #define MOST_PLACES 16
 
 volatile int probe_case = -1;
 static char watched[4096];
-static char *stack_top; // somewhere near the stack's beginning
-
-// snprintf is not safe in a signal handler; these are.
-static char *put_text(char *to, const char *text)
-{
-    while (*text)
-        *to++ = *text++;
-    return to;
-}
-
-static char *put_number(char *to, unsigned long long value, unsigned base)
-{
-    char digits[24];
-    int count = 0;
-    do {
-        digits[count++] = "0123456789abcdef"[value % base];
-        value /= base;
-    } while (value);
-    while (count > 0)
-        *to++ = digits[--count];
-    return to;
-}
 
 static void send(const char *from, const char *to)
 {
     ssize_t ignored = write(STDERR_FILENO, from, (size_t)(to - from));
     (void)ignored;
-}
-
-// The most memory that the process has asked for, kB; 0 where the system does not tell.
-static unsigned long long peak_memory(void)
-{
-    char text[4096];
-    int fd = open("/proc/self/status", O_RDONLY);
-    ssize_t size = fd >= 0 ? read(fd, text, sizeof text - 1) : 0;
-    if (fd >= 0)
-        close(fd);
-    text[size > 0 ? size : 0] = '\0';
-    const char *line = strstr(text, "VmPeak:");
-    unsigned long long value = 0;
-    for (const char *c = line ? line + 7 : ""; *c && *c != '\n'; c++)
-        if (*c >= '0' && *c <= '9')
-            value = 10 * value + (unsigned long long)(*c - '0');
-    return value;
-}
-
-// Where the program was, and its stack's lower end; NULL where this system's way to tell is not known.
-static void read_context(void *context, char **place, char **stack)
-{
-    *place = *stack = NULL;
-#if defined(__linux__) && defined(__x86_64__)
-    ucontext_t *state = context;
-    *place = (char *)(size_t)state->uc_mcontext.gregs[REG_RIP];
-    *stack = (char *)(size_t)state->uc_mcontext.gregs[REG_RSP];
-#elif defined(__linux__) && defined(__aarch64__)
-    ucontext_t *state = context;
-    *place = (char *)(size_t)state->uc_mcontext.pc;
-    *stack = (char *)(size_t)state->uc_mcontext.sp;
-#else
-    (void)context;
-#endif
-}
-
-// A recursion without end, and an array too large for the stack, touch what lies below it.
-static bool is_below_stack(int number, const char *address, const char *stack)
-{
-    ptrdiff_t depth = stack_top - address;
-    if (number != SIGSEGV || depth < (7 << 20))
-        return false;
-    return stack ? address >= stack - (64 << 10) : depth < (64 << 20);
 }
 
 // `exact`: the very instruction; otherwise a return address, which is one behind the call.
@@ -106,8 +34,8 @@ static char *put_place(char *to, char *place, bool exact, int *written)
     Dl_info info;
     if (!dladdr(place, &info) || !info.dli_fname || strcmp(info.dli_fname, watched) != 0)
         return to;
-    to = put_text(to, (*written)++ ? ",0x" : "0x");
-    return put_number(to, (unsigned long long)(place - (char *)info.dli_fbase - !exact), 16);
+    to = crash_put_text(to, (*written)++ ? ",0x" : "0x");
+    return crash_put_number(to, (unsigned long long)(place - (char *)info.dli_fbase - !exact), 16);
 }
 
 // The instruction is known at once and goes out at once: over a broken stack the way up may not be found.
@@ -116,46 +44,41 @@ static void send_frames(char *place)
     char line[64 + 20 * MOST_PLACES];
     int written = 0;
     char *to = place ? put_place(line, place, true, &written) : line;
-#ifdef HAS_BACKTRACE
     send(line, to);
-    void *frames[MOST_FRAMES];
-    int count = backtrace(frames, MOST_FRAMES), first = 0;
-    for (int i = 0; i < count; i++)
-        if (frames[i] == (void *)place)
-            first = i + 1; // what lies before is this handler
+    void *frames[CRASH_FRAMES];
+    int count = crash_frames(place, frames);
     to = line;
-    for (int i = first; i < count && written < MOST_PLACES; i++)
+    for (int i = 0; i < count && written < MOST_PLACES; i++)
         to = put_place(to, frames[i], false, &written);
-#endif
     *to++ = '\n';
     send(line, to);
 }
 
 static void report_crash(int number, siginfo_t *info, void *context)
 {
-    char line[512], *place, *stack;
+    char line[512];
     // A second fault in here, or an alarm, ends it at once.
     for (int other = 1; other < 32; other++)
         signal(other, SIG_DFL);
-    read_context(context, &place, &stack);
-    char *to = put_text(line, "\nphotonlab-crash signal=");
-    to = put_number(to, (unsigned long long)number, 10);
-    to = put_text(to, " case=");
-    to = put_number(to, probe_case < 0 ? 0 : (unsigned long long)probe_case, 10);
-    to = put_text(to, " address=0x");
-    to = put_number(to, (unsigned long long)(size_t)info->si_addr, 16);
-    to = put_text(to, is_below_stack(number, info->si_addr, stack) ? " stack=far" : " stack=near");
+    CrashPlace where = crash_place(number, info, context);
+    char *to = crash_put_text(line, "\nphotonlab-crash signal=");
+    to = crash_put_number(to, (unsigned long long)number, 10);
+    to = crash_put_text(to, " case=");
+    to = crash_put_number(to, probe_case < 0 ? 0 : (unsigned long long)probe_case, 10);
+    to = crash_put_text(to, " address=0x");
+    to = crash_put_number(to, (unsigned long long)(size_t)info->si_addr, 16);
+    to = crash_put_text(to, where.stack_far ? " stack=far" : " stack=near");
 #if defined(__linux__) && defined(si_syscall)
     if (number == SIGSYS && info->si_code == 1) { // SYS_SECCOMP, which not every header has
-        to = put_text(to, " syscall=");
-        to = put_number(to, (unsigned long long)info->si_syscall, 10);
+        to = crash_put_text(to, " syscall=");
+        to = crash_put_number(to, (unsigned long long)info->si_syscall, 10);
     }
 #endif
-    to = put_text(to, " peak_kb=");
-    to = put_number(to, peak_memory(), 10);
-    to = put_text(to, " frames=");
+    to = crash_put_text(to, " peak_kb=");
+    to = crash_put_number(to, where.peak_kb, 10);
+    to = crash_put_text(to, " frames=");
     send(line, to);
-    send_frames(place);
+    send_frames(where.place);
     // Not by the signal itself, which the first process of a namespace does not die of.
     _exit(128 + number);
 }
@@ -192,24 +115,10 @@ static void set_alarm(void)
 
 void probe_watch(const char *object)
 {
-    static char room[64 << 10]; // a stack for the handler: the usual one may be what ran out
-    char here;
-    stack_top = &here;
     snprintf(watched, sizeof watched, "%s", object);
-#ifdef HAS_BACKTRACE
-    void *first[1];
-    backtrace(first, 1); // the first call loads a library, which a handler must not
-#endif
-    stack_t stack = {.ss_sp = room, .ss_size = sizeof room};
-    sigaltstack(&stack, NULL);
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
-    action.sa_sigaction = report_crash;
-    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
     const int signals[] = {SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT, SIGXCPU,
                            SIGTRAP, SIGXFSZ, SIGSYS, SIGALRM, SIGTERM, SIGPIPE};
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
-        sigaction(signals[i], &action, NULL);
+    crash_watch(report_crash, signals, sizeof signals / sizeof *signals);
     if (getenv("PHOTONLAB_PROBE_SECONDS"))
         forbid_exec();
     set_alarm();

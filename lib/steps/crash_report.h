@@ -1,0 +1,35 @@
+// Where a fatal signal found the program: what the handlers of `photonlab probe` and of the preview's workers share.
+// All but crash_watch may be called from a signal handler.
+#ifndef PHOTONLAB_STEPS_CRASH_REPORT_H
+#define PHOTONLAB_STEPS_CRASH_REPORT_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef void (*CrashHandler)(int number, siginfo_t *info, void *context);
+
+// The handler runs for these signals, on a stack of its own: the usual one may be what ran out. To be called not far
+// from where the stack begins.
+void crash_watch(CrashHandler handler, const int *signals, size_t count);
+
+typedef struct {
+    char *place;                // the instruction; NULL where this system's way to tell is not known
+    bool stack_far;             // it touched what lies below the stack: a recursion without end, too large an array
+    unsigned long long peak_kb; // crash_peak_kb
+} CrashPlace;
+CrashPlace crash_place(int number, const siginfo_t *info, void *context);
+
+// The most memory that the process has had, kB; 0 where the system does not tell.
+unsigned long long crash_peak_kb(void);
+
+#define CRASH_FRAMES 64
+// The return addresses that lead to `place`, innermost first, without the handler's own. How many; 0 where the system
+// cannot tell. Over a broken stack it may crash: say first what is known.
+int crash_frames(const char *place, void *frames[CRASH_FRAMES]);
+
+// snprintf is not safe in a handler; these are. They return the end of what they wrote.
+char *crash_put_text(char *to, const char *text);
+char *crash_put_number(char *to, unsigned long long value, unsigned base);
+
+#endif
