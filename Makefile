@@ -47,7 +47,7 @@ ORIGIN = $$ORIGIN
 endif
 
 LIBRARY_SOURCES = $(filter-out lib/cli/% lib/preview/%,$(wildcard lib/*.c lib/*/*.c))
-PROGRAM_SOURCES = $(wildcard lib/cli/*.c)
+PROGRAM_SOURCES = $(wildcard lib/cli/*.c lib/preview/*.c)
 STEP_SOURCES    = $(wildcard solutions/*/*.c)
 TEST_SOURCES    = $(wildcard tests/unit/*.c)
 
@@ -78,7 +78,8 @@ $(LIBRARY): $(call object,$(LIBRARY_SOURCES))
 
 $(PROGRAM): $(call object,$(PROGRAM_SOURCES)) $(LIBRARY)
 	$(call say,link,$@)
-	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@.new $(LDLIBS)
+	@mv $@.new $@
 
 # One shared object per step. Written beside and renamed, since a running program may be loading the old one.
 $(BUILD)/solutions/%.so: $(BUILD)/obj/solutions/%.o
@@ -98,8 +99,8 @@ scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
 	@mkdir -p $(@D)
 	$(Q)$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
 
-include tests/steps/exercises.mk tests/judge/judge.mk
--include tests/class/class.mk tests/mistakes/grader.mk
+include tests/steps/exercises.mk tests/judge/judge.mk lib/preview/preview.mk
+-include tests/class/class.mk tests/mistakes/grader.mk course_notes/notes.mk
 
 # ---- what there is to do; `make help` prints the lines with two hashes ----
 

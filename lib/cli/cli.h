@@ -15,6 +15,7 @@ int command_photons(int count, char **arguments);
 int command_diff(int count, char **arguments);
 int command_bench(int count, char **arguments);
 int command_steps(int count, char **arguments);
+int command_preview(int count, char **arguments);
 int command_probe(int count, char **arguments);
 
 // Prints the error to standard error and returns EXIT_INPUT.

@@ -11,6 +11,7 @@ typedef struct {
 
 static const Command commands[] = {
     {"render", command_render, "render a scene to a picture"},
+    {"preview", command_preview, "a window on the photons, live; or a snapshot of it"},
     {"photons", command_photons, "write the stored photons as a point cloud"},
     {"diff", command_diff, "compare two pictures"},
     {"bench", command_bench, "measure speed and memory on this machine"},

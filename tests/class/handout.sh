@@ -18,7 +18,7 @@ trap 'rm -rf "$work"' EXIT
 top=$work/photonlab-$version
 
 # What shows how the steps are solved, how they are usually done wrong, or how to cheat; and the teacher's own tools.
-secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|malformed|class|agreement)/'
+secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|malformed|class|agreement|preview)/|^course_notes/teachers'
 secret="$secret|^tests/[^/]*\\.(md|sh)\$|^tests/judge/.*test|^tests/judge/(calibrate/|features_table\\.sh|grade_case\\.sh)"
 secret="$secret|^tests/steps/(make_exercises\\.sh|stub\\.awk)"
 [ -n "$with" ] || secret="$secret|^solutions/"
@@ -38,7 +38,7 @@ done
 # What is for teachers alone would lead to files that are not there: sections of the README, and lines of `make help`.
 sed '/^<!-- teachers -->$/,/^<!-- end of teachers -->$/d' README.md >"$top/README.md" || exit 1
 gone='check|check-[a-z-]*|reference|agreement|bench|bench-test|bench-peers|fuzz|calibrate|exercises|format|mistakes-table'
-gone="$gone|grader-table|class|class-trial|handout|gradescope"
+gone="$gone|grader-table|class|class-trial|handout|gradescope|figures|bench-preview"
 find "$top" -name Makefile -o -name '*.mk' | while IFS= read -r file; do
     # A line with no name of a target, and far to the right, belongs to the one above.
     awk -v gone="^## +($gone)( |\$)" '/^## / && !/^##            / { drop = $0 ~ gone } !/^## / { drop = 0 } !drop' \

@@ -1,0 +1,203 @@
+#include "cli/cli.h"
+#include "preview/preview.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char help[] =
+    "usage: photonlab preview SCENE [flags]\n"
+    "\n"
+    "Opens a window on the photons of a scene; the key h lists what can be done there. With --snapshot it writes that picture\n"
+    "and needs no display.\n"
+    "\n"
+    "  --snapshot FILE.png  where to; in the window: where the key `s` writes (build/preview.png)\n"
+    "  --every-save         without a display: the snapshot anew after every save\n"
+    "  --view NAME          points   stored photons (default)\n"
+    "                       paths    the first paths as lines; --path I chooses one, --bounce B its legs up to that one\n"
+    "                       lobe     10000 samples of the scatter step over the lobe of the equation; --exponent N,\n"
+    "                                --angle DEGREES of the mirror direction to the normal, --diffuse\n"
+    "                       screen   arrivals on one flat surface; --surface I\n"
+    "                       tree     cells of the photon map; --level N halvings deep\n"
+    "  --colour NAME        power, photon, bounce or material\n"
+    "  --split              the reference beside it\n"
+    "  --camera PX,PY,PZ,TX,TY,TZ   from where and to where; --frame: all of the scene\n"
+    "  --flight M           only what has flown no farther than M metres\n"
+    "  --size WxH           pixels (1280x720)\n"
+    "  --photons N          to emit (200000)\n"
+    "  --paths N            paths that are kept as lines (1000)\n"
+    "  --depth N, --seed S  as in `photonlab photons`\n"
+    "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life\n"
+    "  --bare               no text in the picture; --no-wireframe: no lines of the scene\n"
+    "  --context NAME       what draws a snapshot: osmesa, egl, or window, a hidden one (the first that is there)\n"
+    "  --code DIR           play the steps built in DIR\n"
+    "  --watch DIR --build COMMAND   after each save below DIR: sh -c COMMAND sh SOURCE.c OBJECT.so, and new photons\n"
+    "  --report FILE        what the key `o` opens\n"
+    "  --orbit SECONDS      the window turns by itself for so long, and tells how many frames a second it made\n";
+
+#define PREVIEW_PHOTONS 200000
+#define PREVIEW_PATHS   1000
+
+typedef struct {
+    const char *scene, *view, *colour, *camera, *size, *steps, *context;
+    bool every_save, frame, no_wireframe, split, diffuse;
+    float exponent, angle, flight;
+    int surface, level, bounce;
+    long path;
+    PreviewOptions options;
+} Arguments;
+
+static bool parse_names(Arguments *a)
+{
+    PreviewOptions *options = &a->options;
+    Error error = {""};
+    ViewKind kind;
+    ColourMode mode;
+    char after;
+    if (a->view && !view_kind_parse(a->view, &kind))
+        error_set(&error, "--view %s: expected points, paths, lobe, screen or tree", a->view);
+    if (a->colour && !colour_mode_parse(a->colour, &mode))
+        error_set(&error, "--colour %s: expected power, photon, bounce or material", a->colour);
+    if (a->size && (sscanf(a->size, "%dx%d%c", &options->width, &options->height, &after) != 2 || options->width < 64 ||
+                    options->width > MOST_SIDE || options->height < 64 || options->height > MOST_SIDE))
+        error_set(&error, "--size %s: expected WIDTHxHEIGHT, each from 64 to %d, e.g. 1280x720", a->size, MOST_SIDE);
+    if (a->steps)
+        options->play_is_given = step_choice_parse(a->steps, &options->play, &error);
+    if (a->context && strcmp(a->context, "osmesa") == 0)
+        options->context = CONTEXT_OSMESA;
+    else if (a->context && strcmp(a->context, "egl") == 0)
+        options->context = CONTEXT_EGL;
+    else if (a->context && strcmp(a->context, "window") == 0)
+        options->hidden_context_is_window = true;
+    else if (a->context)
+        error_set(&error, "--context %s: expected osmesa, egl or window", a->context);
+    if (options->snapshot)
+        image_path_is_known(options->snapshot, &error);
+    if (a->every_save && (!options->snapshot || !options->source))
+        error_set(&error, "--every-save: needs --snapshot, --watch and --build");
+    if (options->source && (!options->build || !options->code))
+        error_set(&error, "--watch: needs --build and --code");
+    if (error.message[0])
+        report_usage("preview", "%s", error.message);
+    return !error.message[0];
+}
+
+// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
+static int parse(int count, char **arguments, Arguments *a)
+{
+    *a = (Arguments){.exponent = -1, .angle = -1, .flight = -1, .surface = -1, .level = -1, .bounce = -1, .path = -1};
+    a->options = (PreviewOptions){
+        .width = 1280, .height = 720, .photons = PREVIEW_PHOTONS, .recorded = PREVIEW_PATHS, .seed = 1};
+    PreviewOptions *o = &a->options;
+    const Flag flags[] = {
+        {"snapshot", FLAG_TEXT, &o->snapshot, 0, 0},
+        {"every-save", FLAG_PRESENT, &a->every_save, 0, 0},
+        {"view", FLAG_TEXT, &a->view, 0, 0},
+        {"path", FLAG_LONG, &a->path, 0, MOST_PHOTONS},
+        {"bounce", FLAG_INT, &a->bounce, 0, MOST_DEPTH},
+        {"exponent", FLAG_FLOAT, &a->exponent, 0, 1e6},
+        {"angle", FLAG_FLOAT, &a->angle, 0, 89.9},
+        {"diffuse", FLAG_PRESENT, &a->diffuse, 0, 0},
+        {"surface", FLAG_INT, &a->surface, 0, 1e9},
+        {"level", FLAG_INT, &a->level, 0, 30},
+        {"colour", FLAG_TEXT, &a->colour, 0, 0},
+        {"split", FLAG_PRESENT, &a->split, 0, 0},
+        {"camera", FLAG_TEXT, &a->camera, 0, 0},
+        {"frame", FLAG_PRESENT, &a->frame, 0, 0},
+        {"flight", FLAG_FLOAT, &a->flight, 0, 1e30},
+        {"size", FLAG_TEXT, &a->size, 0, 0},
+        {"photons", FLAG_LONG, &o->photons, 1, 100000000},
+        {"paths", FLAG_LONG, &o->recorded, 0, 1000000},
+        {"depth", FLAG_INT, &o->depth, 1, MOST_DEPTH},
+        {"seed", FLAG_SEED, &o->seed, 0, 0},
+        {"steps", FLAG_TEXT, &a->steps, 0, 0},
+        {"bare", FLAG_PRESENT, &o->bare, 0, 0},
+        {"no-wireframe", FLAG_PRESENT, &a->no_wireframe, 0, 0},
+        {"context", FLAG_TEXT, &a->context, 0, 0},
+        {"code", FLAG_TEXT, &o->code, 0, 0},
+        {"watch", FLAG_TEXT, &o->source, 0, 0},
+        {"build", FLAG_TEXT, &o->build, 0, 0},
+        {"report", FLAG_TEXT, &o->report, 0, 0},
+        {"orbit", FLAG_FLOAT, &o->orbit_seconds, 0, 3600},
+    };
+    int wrong = command_line_parse(&(CommandLine){"preview", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
+                                   count, arguments, &a->scene);
+    return wrong ? wrong : parse_names(a) ? 0 : EXIT_USAGE;
+}
+
+// What the flags say about the view, over what the scene suggests.
+static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *error)
+{
+    *view = view_default(scene);
+    if (a->view)
+        view_kind_parse(a->view, &view->kind);
+    if (a->colour)
+        colour_mode_parse(a->colour, &view->colour);
+    view->split = a->split;
+    view->diffuse = a->diffuse;
+    view->wireframe = !a->no_wireframe;
+    view->exponent = a->exponent >= 0.0f ? a->exponent : view->exponent;
+    view->angle = a->angle >= 0.0f ? a->angle : view->angle;
+    view->flight = (double)a->flight;
+    view->surface = a->surface;
+    view->level = a->level >= 0 ? a->level : view->level;
+    view->path = a->path;
+    view->bounce = a->bounce;
+    Vec3 p, t;
+    char after;
+    if (a->camera && sscanf(a->camera, "%f,%f,%f,%f,%f,%f%c", &p.x, &p.y, &p.z, &t.x, &t.y, &t.z, &after) != 6)
+        return error_set(error, "--camera %s: expected six numbers, PX,PY,PZ,TX,TY,TZ", a->camera);
+    if (a->camera && !isfinite(vec3_dot(p, p) + vec3_dot(t, t)))
+        return error_set(error, "--camera %s: expected numbers that are not too large", a->camera);
+    if (a->camera)
+        view->orbit = orbit_look(p, t, view->orbit.vertical_fov);
+    if (a->frame)
+        orbit_frame(&view->orbit, bvh_bounds(scene->bvh), (float)a->options.width / (float)a->options.height);
+    return true;
+}
+
+static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *error)
+{
+    PreviewOptions options = a->options;
+    if (a->every_save)
+        return preview_snapshots(scene, &options, broker, error);
+    if (options.snapshot && !options.source)
+        return preview_snapshot(scene, &options, broker, error);
+    bool no_window = false;
+    if (!options.snapshot)
+        options.snapshot = "build/preview.png";
+    if (preview_window(scene, &options, broker, &no_window, error))
+        return true;
+    if (!no_window || !options.source)
+        return false;
+    printf("no window: %s\n%s is written anew on every save instead; ctrl-c ends it\n", error->message,
+           options.snapshot);
+    fflush(stdout);
+    *error = (Error){""};
+    return preview_snapshots(scene, &options, broker, error);
+}
+
+int command_preview(int count, char **arguments)
+{
+    Arguments a;
+    int wrong = parse(count, arguments, &a);
+    if (wrong)
+        return wrong == HELP_SHOWN ? 0 : wrong;
+    Error error = {""};
+    parallel_limit(1); // no threads before the fork
+    Scene *scene = scene_load(a.scene, &error);
+    if (!scene)
+        return report_error(&error);
+    a.options.scene_path = a.scene;
+    a.options.depth = a.options.depth ? a.options.depth : scene->settings.depth;
+    if (!set_view(&a, scene, &a.options.view, &error)) {
+        scene_free(scene);
+        return report_usage("preview", "%s", error.message);
+    }
+    Broker *broker = broker_start(scene, a.options.source, &error);
+    parallel_limit(0);
+    bool ok = broker && show(scene, &a, broker, &error);
+    if (broker)
+        broker_stop(broker);
+    scene_free(scene);
+    return ok ? 0 : report_error(&error);
+}

@@ -1,0 +1,38 @@
+// The live preview: a window on the photons of the student's code, and the same picture without a display.
+#ifndef PHOTONLAB_PREVIEW_PREVIEW_H
+#define PHOTONLAB_PREVIEW_PREVIEW_H
+
+#include "preview/context.h"
+#include "preview/view.h"
+
+typedef struct {
+    const char *scene_path;
+    const char *code;     // folder of the student's objects; NULL: the reference plays everything
+    const char *source;   // folder of the student's .c files, watched; NULL: nothing is
+    const char *build;    // shell command that makes an object of one file; see watch.h
+    const char *report;   // what the key `o` opens; NULL: nothing
+    const char *snapshot; // the picture to write
+    int width, height;    // pixels
+    long photons;
+    uint64_t seed;
+    int depth;
+    long recorded; // paths whose legs are kept
+    bool play_is_given;
+    StepChoice play;
+    bool bare;           // no text in the picture
+    float orbit_seconds; // the window turns by itself for so long, and tells how fast; 0: it does not
+    ContextKind context;
+    bool hidden_context_is_window; // draw the snapshot in a hidden window: --context window
+    View view;
+} PreviewOptions;
+
+// Opens the window and stays until it is closed. *no_window: the Error says why there is no window here.
+bool preview_window(const Scene *scene, const PreviewOptions *options, Broker *broker, bool *no_window, Error *error);
+
+// One picture into options->snapshot, by nobody's display.
+bool preview_snapshot(const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error);
+
+// The same again after every save, until the program is ended. A fault in the student's code is told on standard error.
+bool preview_snapshots(const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error);
+
+#endif

@@ -1,0 +1,198 @@
+#include "preview/session.h"
+#include "parallel.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define NEXT_LOOK 0.4
+
+bool session_start(Session *session, const Scene *scene, const PreviewOptions *options, Broker *broker, Canvas *canvas,
+                   Error *error)
+{
+    *session = (Session){.scene = scene, .options = options, .broker = broker};
+    session->photons = options->photons;
+    session->seed = options->seed;
+    for (int i = 0; i < SIDES; i++)
+        if (!(session->sides[i] = side_create(canvas, scene)))
+            return error_set(error, "not enough memory for the preview");
+    if (!options->source || !options->build)
+        return true;
+    session->watch = watch_start(options->source, options->code, options->build, error);
+    return session->watch != NULL;
+}
+
+void session_end(Session *session)
+{
+    for (int i = 0; i < RUN_SIDES; i++) {
+        session_stop(&session->scatter[i]);
+        session_stop(&session->lobe[i]);
+    }
+    for (int i = 0; i < SIDES; i++)
+        if (session->sides[i])
+            side_free(session->sides[i]);
+    session_stop(&session->render);
+    if (session->watch)
+        watch_stop(session->watch);
+}
+
+static void tell(const char *text)
+{
+    printf("%s\n", text);
+    fflush(stdout);
+}
+
+static void fault(Session *session, const char *text)
+{
+    if (strcmp(session->fault, text) == 0)
+        return;
+    snprintf(session->fault, sizeof session->fault, "%s", text);
+    tell(text);
+}
+
+// A save: its objects are there, so ask again for everything that the student's code made.
+static void rebuilt(Session *session, const View *view)
+{
+    session->fault[0] = '\0';
+    session->have_lobe[YOURS] = false;
+    session_stop(&session->lobe[YOURS]);
+    session_ask_scatter(session, YOURS);
+    session->asked_by = "save";
+    session->after_save = true; // until the window has shown it
+    if (session->render)
+        session_render(session, view, session->render_width, session->render_height);
+}
+
+static bool poll_watch(Session *session, const View *view)
+{
+    WatchEvent event = session->watch ? watch_poll(session->watch) : WATCH_NOTHING;
+    if (event == WATCH_NOTHING)
+        return false;
+    if (!session->building)
+        session->asked_at = clock_seconds();
+    session->building = event == WATCH_BUILDING;
+    if (event == WATCH_BUILDING)
+        return true;
+    snprintf(session->build, sizeof session->build, "%s", watch_message(session->watch));
+    if (event == WATCH_FAILED) {
+        fault(session, session->build);
+        return true;
+    }
+    tell(session->build);
+    rebuilt(session, view);
+    return true;
+}
+
+static void take_scatter(Session *session, int side, const RunStatus *status)
+{
+    side_set_scatter(session->sides[side], run_take_scatter(session->scatter[side]));
+    if (side == REFERENCE) {
+        session->have_reference = true;
+        return;
+    }
+    if (strcmp(session->notice, status->notice) != 0 && status->notice[0])
+        tell(status->notice);
+    snprintf(session->notice, sizeof session->notice, "%s", status->notice);
+    session->fault[0] = '\0';
+    const Scatter *scatter = side_scatter(session->sides[side]);
+    printf("%zu photons stored of %ld emitted, %.2f s after the %s\n", scatter->count, scatter->emitted,
+           clock_seconds() - session->asked_at, session->asked_by);
+    fflush(stdout);
+    session->answered = true;
+}
+
+// The first photons of a run that takes its time.
+static bool look_at_coming(Session *session)
+{
+    Scatter part;
+    if (clock_seconds() < session->next_look || !run_copy_partial(session->scatter[YOURS], &part))
+        return false;
+    side_set_scatter(session->sides[COMING], part);
+    session->coming = session->answered = true;
+    session->next_look = clock_seconds() + NEXT_LOOK;
+    return true;
+}
+
+static bool poll_scatter(Session *session, int side)
+{
+    if (!session->scatter[side])
+        return false;
+    RunStatus status = run_poll(session->scatter[side]);
+    if (status.state == RUN_GOING)
+        return side == YOURS && look_at_coming(session);
+    session->coming = session->coming && side != YOURS;
+    if (status.state == RUN_FAILED)
+        fault(session, status.failure);
+    else
+        take_scatter(session, side, &status);
+    // A reference that fails would fail again at once.
+    session->have_reference = session->have_reference || side == REFERENCE;
+    session_stop(&session->scatter[side]);
+    return true;
+}
+
+static bool poll_lobe(Session *session, int side)
+{
+    if (!session->lobe[side])
+        return false;
+    RunStatus status = run_poll(session->lobe[side]);
+    if (status.state == RUN_GOING)
+        return false;
+    if (status.state == RUN_FAILED)
+        fault(session, status.failure);
+    else
+        side_set_lobe(session->sides[side], run_take_lobe(session->lobe[side]));
+    session->have_lobe[side] = true;
+    session_stop(&session->lobe[side]);
+    return true;
+}
+
+static bool poll_render(Session *session)
+{
+    if (!session->render)
+        return false;
+    RunStatus status = run_poll(session->render);
+    if (status.state != RUN_FAILED)
+        return status.news;
+    fault(session, status.failure);
+    session_stop(&session->render);
+    return true;
+}
+
+bool session_poll(Session *session, const View *view)
+{
+    bool news = poll_watch(session, view);
+    for (int i = 0; i < RUN_SIDES; i++) {
+        news |= poll_scatter(session, i);
+        news |= poll_lobe(session, i);
+    }
+    news |= poll_render(session);
+    session_need(session, view);
+    return news;
+}
+
+bool session_is_busy(const Session *session)
+{
+    return session->building || session->scatter[YOURS] || session->scatter[REFERENCE] || session->lobe[YOURS] ||
+           session->lobe[REFERENCE];
+}
+
+void session_wait(Session *session, double seconds)
+{
+    for (int i = 0; i < RUN_SIDES; i++) {
+        if (session->scatter[i]) {
+            run_wait(session->scatter[i], seconds);
+            return;
+        }
+        if (session->lobe[i]) {
+            run_wait(session->lobe[i], seconds);
+            return;
+        }
+    }
+    if (session->watch)
+        watch_wait(session->watch, seconds);
+}
+
+Side *session_yours(const Session *session)
+{
+    return session->sides[session->coming ? COMING : YOURS];
+}

@@ -1,0 +1,297 @@
+#define _GNU_SOURCE // st_mtim
+#include "preview/watch.h"
+#include "parallel.h"
+#include "preview/watch_build.h"
+#include "steps/steps.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#if defined(__linux__)
+#include <sys/inotify.h>
+#define HAS_INOTIFY 1
+#endif
+
+#define QUIET        0.03 // s after the last write: editors write several times
+#define QUIET_DELETE 0.3  // s: editors that rename leave a gap
+#define LOOK_ALONE   0.1  // s between looks at the files' times, without inotify
+#define LOOK_BESIDE  1.0  // … and with it, for folders whose changes come from another machine
+
+#if defined(__APPLE__)
+#define CHANGED_AT(info) (info).st_mtimespec
+#else
+#define CHANGED_AT(info) (info).st_mtim
+#endif
+
+// What tells one state of a file from the next.
+typedef struct {
+    bool there;
+    long long seconds, nanoseconds, size;
+    unsigned long long number;
+} Print;
+
+typedef struct {
+    Print print;
+    bool dirty;
+    double since; // of the last sign that it was saved
+} Source;
+
+struct Watch {
+    char source[2048], objects[2048], *command;
+    Source files[STEP_COUNT];
+    int inotify;             // −1: none
+    int folders[STEP_COUNT]; // inotify's number for the folder of each step; −1: not there
+    double looked;
+    Build build;
+    size_t building; // the step
+    char message[1024];
+};
+
+static void path_of(char *path, size_t size, const char *folder, const StepInfo *step, const char *ending)
+{
+    snprintf(path, size, "%s/%s%s", folder, step->file, ending);
+}
+
+static const char *name_of(const StepInfo *step)
+{
+    return strrchr(step->file, '/') + 1;
+}
+
+static Print take_print(const Watch *watch, size_t i)
+{
+    char path[4096];
+    struct stat info;
+    path_of(path, sizeof path, watch->source, &step_table[i], ".c");
+    if (stat(path, &info) != 0)
+        return (Print){.there = false};
+    return (Print){true, (long long)CHANGED_AT(info).tv_sec, (long long)CHANGED_AT(info).tv_nsec,
+                   (long long)info.st_size, (unsigned long long)info.st_ino};
+}
+
+static bool same_print(const Print *a, const Print *b)
+{
+    return a->there == b->there && a->seconds == b->seconds && a->nanoseconds == b->nanoseconds && a->size == b->size &&
+           a->number == b->number;
+}
+
+static void mark(Watch *watch, size_t i)
+{
+    watch->files[i].print = take_print(watch, i);
+    watch->files[i].dirty = true;
+    watch->files[i].since = clock_seconds();
+}
+
+static void look_at_times(Watch *watch)
+{
+    double now = clock_seconds();
+    if (now - watch->looked < (watch->inotify >= 0 ? LOOK_BESIDE : LOOK_ALONE))
+        return;
+    watch->looked = now;
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        Print print = take_print(watch, i);
+        if (!same_print(&print, &watch->files[i].print))
+            mark(watch, i);
+    }
+}
+
+#ifdef HAS_INOTIFY
+#define CHANGES (IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE)
+
+// Folders that are watched already give the same number again.
+static void watch_folders(Watch *watch)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        char path[4096];
+        const char *slash = strchr(step_table[i].file, '/');
+        snprintf(path, sizeof path, "%s/%.*s", watch->source, (int)(slash - step_table[i].file), step_table[i].file);
+        watch->folders[i] = inotify_add_watch(watch->inotify, path, CHANGES | IN_ONLYDIR);
+    }
+}
+
+static void take_change(Watch *watch, const struct inotify_event *event)
+{
+    if (event->mask & (IN_ISDIR | IN_IGNORED | IN_Q_OVERFLOW)) { // a stage's folder came or went, or too much happened
+        watch_folders(watch);
+        watch->looked = 0.0;
+        return;
+    }
+    for (size_t i = 0; i < STEP_COUNT && event->len > 0; i++) {
+        const char *name = name_of(&step_table[i]);
+        size_t length = strlen(name);
+        if (event->wd == watch->folders[i] && strncmp(event->name, name, length) == 0 &&
+            strcmp(event->name + length, ".c") == 0 && !(event->mask & IN_CREATE && !take_print(watch, i).size))
+            mark(watch, i);
+    }
+}
+
+static void take_changes(Watch *watch)
+{
+    union {
+        struct inotify_event event; // aligned as one must be
+        char bytes[8192];
+    } room;
+    for (;;) {
+        ssize_t size = watch->inotify >= 0 ? read(watch->inotify, room.bytes, sizeof room.bytes) : 0;
+        if (size <= 0)
+            return;
+        for (ssize_t at = 0; at < size;) {
+            const struct inotify_event *event = (const struct inotify_event *)(const void *)(room.bytes + at);
+            take_change(watch, event);
+            at += (ssize_t)(sizeof *event + event->len);
+        }
+    }
+}
+
+static void start_listening(Watch *watch)
+{
+    const char *wish = getenv("PHOTONLAB_WATCH");
+    if (wish && strcmp(wish, "times") == 0)
+        return;
+    watch->inotify = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    if (watch->inotify < 0)
+        return;
+    if (inotify_add_watch(watch->inotify, watch->source, IN_CREATE | IN_MOVED_TO | IN_ONLYDIR) < 0) {
+        close(watch->inotify);
+        watch->inotify = -1;
+        return;
+    }
+    watch_folders(watch);
+}
+#else
+static void take_changes(Watch *watch)
+{
+    (void)watch;
+}
+
+static void start_listening(Watch *watch)
+{
+    (void)watch;
+}
+#endif
+
+Watch *watch_start(const char *source, const char *objects, const char *command, Error *error)
+{
+    struct stat info;
+    if (stat(source, &info) != 0 || !S_ISDIR(info.st_mode)) {
+        error_set(error, "%s: no such folder to watch", source);
+        return NULL;
+    }
+    Watch *watch = calloc(1, sizeof *watch);
+    char *copy = malloc(strlen(command) + 1);
+    if (!watch || !copy || strlen(source) >= sizeof watch->source || strlen(objects) >= sizeof watch->objects) {
+        error_set(error, "%s: cannot be watched: no memory, or too long a name", source);
+        free(copy);
+        free(watch);
+        return NULL;
+    }
+    watch->command = strcpy(copy, command);
+    strcpy(watch->source, source);
+    strcpy(watch->objects, objects);
+    watch->inotify = watch->build.output = -1;
+    start_listening(watch);
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        watch->files[i].print = take_print(watch, i);
+    return watch;
+}
+
+void watch_stop(Watch *watch)
+{
+    if (!watch)
+        return;
+    build_stop(&watch->build);
+    if (watch->inotify >= 0)
+        close(watch->inotify);
+    free(watch->command);
+    free(watch);
+}
+
+static WatchEvent remove_object(Watch *watch, size_t i, const char *object)
+{
+    if (unlink(object) != 0 && errno == ENOENT)
+        return WATCH_NOTHING;
+    snprintf(watch->message, sizeof watch->message, "%s.c: deleted; the reference plays in its place",
+             name_of(&step_table[i]));
+    return WATCH_BUILT;
+}
+
+static WatchEvent begin_build(Watch *watch, size_t i)
+{
+    char source[4096], object[4096];
+    Error error = {""};
+    path_of(source, sizeof source, watch->source, &step_table[i], ".c");
+    path_of(object, sizeof object, watch->objects, &step_table[i], ".so");
+    watch->files[i].dirty = false;
+    watch->files[i].print = take_print(watch, i); // what is built, even if it was seen half-written before
+    if (access(source, F_OK) != 0)
+        return remove_object(watch, i, object);
+    watch->building = i;
+    if (build_start(&watch->build, watch->command, source, object, &error))
+        return WATCH_BUILDING;
+    snprintf(watch->message, sizeof watch->message, "%s.c: %.900s", name_of(&step_table[i]), error.message);
+    return WATCH_FAILED;
+}
+
+// Seconds until this file may be built; a deleted one may come back at once under the same name.
+static double time_left(const Source *file)
+{
+    return file->since + (file->print.there ? QUIET : QUIET_DELETE) - clock_seconds();
+}
+
+// The one that waits longest.
+static WatchEvent begin_next(Watch *watch)
+{
+    size_t next = STEP_COUNT;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (watch->files[i].dirty && time_left(&watch->files[i]) <= 0.0 &&
+            (next == STEP_COUNT || watch->files[i].since < watch->files[next].since))
+            next = i;
+    return next < STEP_COUNT ? begin_build(watch, next) : WATCH_NOTHING;
+}
+
+static WatchEvent end_build(Watch *watch, bool ok)
+{
+    char file[256];
+    snprintf(file, sizeof file, "%s.c", name_of(&step_table[watch->building]));
+    if (ok)
+        snprintf(watch->message, sizeof watch->message, "%s: built in %.2f s", file,
+                 clock_seconds() - watch->build.started);
+    else
+        build_error_line(&watch->build, file, watch->message, sizeof watch->message);
+    return ok ? WATCH_BUILT : WATCH_FAILED;
+}
+
+WatchEvent watch_poll(Watch *watch)
+{
+    bool ok;
+    take_changes(watch);
+    look_at_times(watch);
+    if (watch->build.pid > 0 && watch->files[watch->building].dirty)
+        build_stop(&watch->build); // what it would make is out of date
+    if (watch->build.pid > 0)
+        return build_poll(&watch->build, &ok) ? end_build(watch, ok) : WATCH_NOTHING;
+    return begin_next(watch);
+}
+
+void watch_wait(Watch *watch, double seconds)
+{
+    double left = watch->looked + (watch->inotify >= 0 ? LOOK_BESIDE : LOOK_ALONE) - clock_seconds();
+    seconds = left < seconds ? left : seconds;
+    for (size_t i = 0; i < STEP_COUNT && watch->build.pid <= 0; i++)
+        if (watch->files[i].dirty && time_left(&watch->files[i]) < seconds)
+            seconds = time_left(&watch->files[i]);
+    if (watch->build.pid > 0 && watch->build.output < 0)
+        seconds = seconds < 0.005 ? seconds : 0.005; // it has nothing more to say, and is about to end
+    struct pollfd watched[2] = {{watch->inotify, POLLIN, 0},
+                                {watch->build.pid > 0 ? watch->build.output : -1, POLLIN, 0}};
+    poll(watched, 2, seconds > 0.0 ? (int)(1e3 * seconds + 0.999) : 0);
+}
+
+const char *watch_message(const Watch *watch)
+{
+    return watch->message;
+}

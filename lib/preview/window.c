@@ -1,0 +1,209 @@
+#include "preview/window_internal.h"
+
+#include <stddef.h>
+
+#ifdef HAVE_GLFW_HEADER
+
+#include "preview/library.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+Glfw window_glfw;
+#define glfw window_glfw
+
+#define WHAT_TO_INSTALL                                                                                                \
+    "Debian, Ubuntu: apt-get install libglfw3; Fedora: dnf install glfw; Arch: pacman -S glfw; macOS: brew install glfw"
+
+static bool load(Error *error)
+{
+    static const char *const FILES[] = {"libglfw.so.3",
+                                        "libglfw.so",
+                                        "libglfw.3.dylib",
+                                        "/opt/homebrew/lib/libglfw.3.dylib",
+                                        "/usr/local/lib/libglfw.3.dylib",
+                                        NULL};
+    void *library = library_open("glfw", FILES);
+    if (!library)
+        return error_set(error, "there is no GLFW here; " WHAT_TO_INSTALL);
+#define LOAD(name)                                                                                                     \
+    if (!library_function(library, #name, &glfw.name))                                                                 \
+        return error_set(error, "this GLFW has no " #name "; the preview needs GLFW 3.3 or later");
+    GLFW_FUNCTIONS(LOAD)
+#undef LOAD
+    return true;
+}
+
+// What GLFW says about its last failure.
+static const char *reason(void)
+{
+    const char *text = NULL;
+    glfw.glfwGetError(&text);
+    return text ? text : "for reasons that GLFW does not tell";
+}
+
+static GLFWwindow *open_window(const char *title, int width, int height, bool visible)
+{
+    glfw.glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfw.glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfw.glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+#ifdef __APPLE__
+    glfw.glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // the only kind that it has
+#endif
+    glfw.glfwWindowHint(GLFW_SAMPLES, 0);
+    glfw.glfwWindowHint(GLFW_DEPTH_BITS, 0); // the canvas has its own
+    glfw.glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfw.glfwWindowHint(GLFW_VISIBLE, visible);
+    return glfw.glfwCreateWindow(width, height, title, NULL, NULL);
+}
+
+static Window *create(const char *title, int width, int height, bool visible, Error *error)
+{
+    Window *window = NULL;
+    if (!load(error))
+        return NULL;
+    if (!glfw.glfwInit()) {
+        error_set(error, "no display: %s", reason());
+        return NULL;
+    }
+    if (!(window = calloc(1, sizeof *window)))
+        error_set(error, "not enough memory");
+    else if (!(window->handle = open_window(title, width, height, visible)))
+        error_set(error, "no window with OpenGL 3.3: %s", reason());
+    if (!window || !window->handle) {
+        glfw.glfwTerminate();
+        free(window);
+        return NULL;
+    }
+    glfw.glfwMakeContextCurrent(window->handle);
+    glfw.glfwSwapInterval(0); // frames are few, and waiting for the screen would only make the mouse lag
+    window_listen(window);
+    return window;
+}
+
+Window *window_create(const char *title, int width, int height, Error *error)
+{
+    return create(title, width, height, true, error);
+}
+
+Window *window_create_hidden(int width, int height, Error *error)
+{
+    return create("", width, height, false, error);
+}
+
+void window_free(Window *window)
+{
+    if (!window)
+        return;
+    glfw.glfwDestroyWindow(window->handle);
+    glfw.glfwTerminate();
+    free(window);
+}
+
+static void *address_of(const char *name)
+{
+    GLFWglproc function = glfw.glfwGetProcAddress(name);
+    void *address;
+    memcpy(&address, &function, sizeof address);
+    return address;
+}
+
+GlLoader window_loader(const Window *window)
+{
+    (void)window;
+    return address_of;
+}
+
+void window_framebuffer_size(const Window *window, int *width, int *height)
+{
+    glfw.glfwGetFramebufferSize(window->handle, width, height);
+}
+
+void window_wait(Window *window, double seconds)
+{
+    if (seconds > 0 && window->waiting == 0)
+        glfw.glfwWaitEventsTimeout(seconds);
+    else
+        glfw.glfwPollEvents();
+}
+
+void window_wake(Window *window)
+{
+    (void)window;
+    glfw.glfwPostEmptyEvent();
+}
+
+bool window_close_asked(const Window *window)
+{
+    return glfw.glfwWindowShouldClose(window->handle);
+}
+
+void window_swap(Window *window)
+{
+    glfw.glfwSwapBuffers(window->handle);
+}
+
+#else // without GLFW's header there are no windows, and all the rest still works
+
+struct Window {
+    int none;
+};
+
+Window *window_create(const char *title, int width, int height, Error *error)
+{
+    (void)title, (void)width, (void)height;
+    error_set(error, "this program was built without GLFW; Debian, Ubuntu: apt-get install libglfw3-dev; Fedora: dnf "
+                     "install glfw-devel; Arch: pacman -S glfw; macOS: brew install glfw; then make clean, make");
+    return NULL;
+}
+
+Window *window_create_hidden(int width, int height, Error *error)
+{
+    return window_create("", width, height, error);
+}
+
+void window_free(Window *window)
+{
+    (void)window;
+}
+
+GlLoader window_loader(const Window *window)
+{
+    (void)window;
+    return NULL;
+}
+
+void window_framebuffer_size(const Window *window, int *width, int *height)
+{
+    (void)window;
+    *width = *height = 0;
+}
+
+void window_wait(Window *window, double seconds)
+{
+    (void)window, (void)seconds;
+}
+
+void window_wake(Window *window)
+{
+    (void)window;
+}
+
+bool window_next_event(Window *window, WindowEvent *event)
+{
+    (void)window, (void)event;
+    return false;
+}
+
+bool window_close_asked(const Window *window)
+{
+    (void)window;
+    return true;
+}
+
+void window_swap(Window *window)
+{
+    (void)window;
+}
+
+#endif

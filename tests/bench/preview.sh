@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# How quick is the preview, with software OpenGL? Usage: preview.sh PROGRAM BUILD COMMAND (see tests/preview/check.sh)
+#   save to new photons on the screen, 200000 photons, 20 saves: median below 0.5 s
+#   frames a second while orbiting at 1280x720 with 50000 photons or more drawn: 30 or more
+#   a million photons drawn within 0.5 s of coming to rest; idle: below 2 % of a core
+set -u
+program=$1
+preview_build=$3
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+. "$here/../preview/common.sh"
+trap 'window_end; rm -rf "$work"' EXIT
+saves=20
+step=1_diffuse_photon_map/1.3_scatter_diffuse.c
+
+# now: seconds with a fraction.
+now() {
+    echo "${EPOCHREALTIME/,/.}"
+}
+
+# shown_after COUNT: the window has drawn new photons (it says so after the swap).
+photons_drawn() {
+    lines_of '^drawn: .* photons'
+}
+
+median() {
+    sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'
+}
+
+save_to_screen() {
+    local i before start times=$work/times
+    : >"$times"
+    for ((i = 0; i < saves; i++)); do
+        before=$(photons_drawn)
+        # Every other save changes what the photons do, so that an old picture cannot pass for a new one.
+        sed "s/2.0f \* PI \* u2/(2.0f + 0.0f * $i) * PI * u2/" solutions/$step >"$work/saved"
+        start=$(now)
+        mv "$work/saved" "$student/$step"
+        wait_for 10 eval '[ "$(photons_drawn)" -gt $before ]' || { bad "save $i: no new photons"; return; }
+        awk "BEGIN { print $(now) - $start }" >>"$times"
+        sleep 0.3
+    done
+    check "$(median <"$times") < 0.5" "$1: save to photons on screen, median of $saves: $(median <"$times") s (slowest $(sort -g "$times" | tail -1))"
+}
+
+# The window counts its own frames.
+orbit_rate() {
+    local line
+    wait_for 30 grep -q '^orbit:' "$log"
+    line=$(grep '^orbit:' "$log" | tail -1)
+    set -- $line
+    check "$2 >= 30" "$line"
+    check "$7 >= 50000" "… at least 50000 of them"
+    wait_for 10 grep -q '^rest:' "$log"
+    line=$(grep '^rest:' "$log" | tail -1)
+    set -- $line
+    check "$2 < 0.5" "$line"
+}
+
+processor_time() {
+    awk '{ print $14 + $15 }' "/proc/$1/stat"
+}
+
+idle() {
+    local before ticks child
+    sleep 1
+    before=$(for child in $window $(pgrep -P $window); do processor_time $child; done | awk '{ s += $1 } END { print s }')
+    sleep 10
+    ticks=$(for child in $window $(pgrep -P $window); do processor_time $child; done | awk '{ s += $1 } END { print s }')
+    local share
+    share=$(awk "BEGIN { print 100 * ($ticks - $before) / $(getconf CLK_TCK) / 10 }")
+    check "$share < 2" "idle: $share % of a core"
+}
+
+student_start && display_start || exit 1
+for scene in box_diffuse box_dispersion; do
+    window_start scenes/$scene.yaml --photons 200000 || bad "no window: $(cat "$log")"
+    save_to_screen $scene
+    kill $window; wait $window 2>/dev/null
+done
+window_start scenes/box_diffuse.yaml --photons 1000000 --orbit 3 || bad "no window: $(cat "$log")"
+orbit_rate
+idle
+finish

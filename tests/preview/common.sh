@@ -1,0 +1,89 @@
+# A preview window on a display of its own, driven from the shell; to be sourced after tests/common.sh.
+# Needs Xvfb and xdotool. Set before: program (build/photonlab), preview_build (the shell command that builds a step).
+
+export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
+
+# A student who has solved everything, and what make would have built of it.
+student_start() {
+    student=$work/exercises
+    objects=$work/objects
+    local source
+    mkdir -p "$student"
+    cp -r solutions/. "$student"
+    for source in "$student"/*/*.c; do
+        source=${source#"$student"/}
+        sh -c "$preview_build" sh "$student/$source" "$objects/${source%.c}.so" || return 1
+    done
+}
+
+display_start() {
+    local width=${1:-1280} height=${2:-720}
+    mkdir -p "$work/screen"
+    rm -f "$work/display"
+    Xvfb -displayfd 3 -screen 0 "${width}x${height}x24" -fbdir "$work/screen" 3>"$work/display" >"$work/xvfb.log" 2>&1 &
+    xvfb=$!
+    wait_for 10 test -s "$work/display" || return 1
+    DISPLAY=:$(cat "$work/display")
+    export DISPLAY
+}
+
+# window_start SCENE [FLAG…]: the window with the student's code; what it says goes to $log.
+window_start() {
+    log=$work/window.log
+    local scene=$1
+    shift
+    "$program" preview "$scene" --code "$objects" --watch "$student" --build "$preview_build" \
+        --snapshot "$work/snapshot.png" "$@" >"$log" 2>&1 &
+    window=$!
+    wait_for 20 grep -q 'after the start' "$log"
+}
+
+window_end() {
+    local process
+    for process in ${window:-} ${xvfb:-}; do
+        kill "$process" 2>/dev/null
+        wait "$process" 2>/dev/null
+    done
+}
+
+# wait_for SECONDS COMMAND…: until the command succeeds.
+wait_for() {
+    local until=$((SECONDS + $1 + 1))
+    shift
+    until "$@"; do
+        [ $SECONDS -lt $until ] || return 1
+        sleep 0.02
+    done
+}
+
+# lines_of PATTERN: how often the window has said it.
+lines_of() {
+    grep -cE "$1" "$log"
+}
+
+# said_again PATTERN COUNT: more often than COUNT times by now?
+said_again() {
+    [ "$(lines_of "$1")" -gt "$2" ]
+}
+
+# save FILE: what an editor does; the file is complete when it appears.
+save() {
+    cat >"$work/saved"
+    mv "$work/saved" "$student/$1"
+}
+
+# picture_now NAME: the window's own snapshot, by its key.
+picture_now() {
+    rm -f "$work/snapshot.png"
+    key s
+    wait_for 10 test -s "$work/snapshot.png" && cp "$work/snapshot.png" "$work/$1.png"
+}
+
+key() {
+    xdotool key --clearmodifiers "$1"
+}
+
+# The screen as it is, byte by byte.
+screen_now() {
+    cp "$work/screen/Xvfb_screen0" "$work/$1.screen"
+}

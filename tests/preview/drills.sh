@@ -1,0 +1,50 @@
+# What students' code does to a window: nothing but a banner. One step is broken in every way there is, and mended.
+broken=1_diffuse_photon_map/1.3_scatter_diffuse.c
+
+# step HEAD BODY: step 1.3 with this before the function and this in it.
+step() {
+    printf '#include "photonlab.h"\n#include <stdlib.h>\n#include <string.h>\n%s\nVec3 scatter_diffuse(Vec3 normal, Rng *rng)\n{\n%s\n}\n' "$1" "$2"
+}
+
+# drill NAME PATTERN HEAD BODY: the window says PATTERN, keeps its photons, turns, and recovers with the next good save.
+drill() {
+    local name=$1 pattern=$2 before after
+    before=$(lines_of "$pattern")
+    step "$3" "$4" | save $broken
+    if wait_for 12 said_again "$pattern" "$before"; then
+        good "$name: $(grep -E "$pattern" "$log" | tail -1)"
+    else
+        bad "$name: expected /$pattern/, found: $(tail -2 "$log")"
+    fi
+    if picture_now fault_here && drag 1 40 12 && sleep 0.1 && picture_now fault_turned && photons_in fault_turned; then
+        cmp -s "$work/fault_here.png" "$work/fault_turned.png" && bad "$name: the window does not turn" || good "$name: it keeps its photons, and turns"
+    else
+        bad "$name: no picture, or one without photons"
+    fi
+    after=$(lines_of 'after the save')
+    save $broken <solutions/$broken
+    wait_for 12 said_again 'after the save' "$after" && good "$name: recovers at the next good save" || bad "$name: does not recover: $(tail -2 "$log")"
+    kill -0 "$window" 2>/dev/null || bad "$name: the window is gone"
+}
+
+# A picture without photons is much smaller as a PNG: an empty box of lines.
+photons_in() {
+    [ "$(wc -c <"$work/$1.png")" -gt $(($(wc -c <"$work/full.png") / 2)) ]
+}
+
+check_drills() {
+    picture_now full
+    drill "segfault" '1\.3.*scatter_diffuse.*segmentation fault' '' \
+        'volatile float *nothing = NULL; normal.x = *nothing; return normal;'
+    drill "endless loop" '1\.3.*scatter_diffuse.*endless' '' \
+        'volatile int forever = 1; while (forever) normal.x += 0.0f * rng_float(rng); return normal;'
+    drill "stack overflow" '1\.3.*deeper|1\.3.*stack' \
+        'static Vec3 deeper(Vec3 n, Rng *rng, int d) { volatile char room[4096]; room[d % 4096] = 1; Vec3 v = deeper(n, rng, d + 1); v.x += (float)room[0]; return v; }' \
+        'return deeper(normal, rng, 0);'
+    drill "memory bomb" '1\.3.*memory' '' \
+        'for (;;) { char *room = malloc(64 << 20); memset(room, 1, 64 << 20); normal.x += (float)room[rng_u32(rng) % 64]; }'
+    drill "abort" '1\.3.*scatter_diffuse.*abort' '' 'if (rng) abort(); return normal;'
+    drill "exit" '1\.3.*exit|exit\(' '' 'if (rng) exit(0); return normal;'
+    drill "build error" '1\.3_scatter_diffuse\.c:[0-9]+:.*error' '' 'return normal'
+    drill "undefined symbol" '1\.3.*no_such_function|no_such_function.*1\.3' 'Vec3 no_such_function(Vec3);' 'return no_such_function(normal);'
+}

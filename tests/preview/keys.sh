@@ -1,0 +1,78 @@
+# Every key, the mouse, resizing and closing; each must change the picture, and changes back where it can.
+
+# differs NAME ACTION…: the picture before and after is not the same.
+differs() {
+    local name=$1
+    shift
+    picture_now before && "$@" && sleep 0.3 && picture_now after || { bad "$name: no pictures"; return; }
+    cmp -s "$work/before.png" "$work/after.png" && bad "$name changes nothing" || good "$name"
+}
+
+drag() {
+    xdotool mousemove 320 240 mousedown "$1" mousemove_relative -- "$2" "$3" mousemove_relative -- 5 5 mouseup "$1"
+}
+
+# Waits for photons that were asked for by a key.
+key_and_photons() {
+    local count
+    count=$(lines_of 'photons stored')
+    key "$1"
+    wait_for 10 said_again 'photons stored' "$count"
+}
+
+check_keys() {
+    differs "h: the list of keys" key h
+    differs "h again: no list" key h
+    differs "drag: turns" drag 1 60 20
+    differs "right drag: moves" drag 3 30 10
+    differs "wheel: nearer" xdotool click 4
+    differs "wheel: farther" xdotool click --repeat 2 5
+    differs "f: frames the scene" key f
+    differs "0: the scene's camera" key 0
+    differs "c: colours" key c
+    differs "w: no wireframe" key w
+    differs "r: other photons" key_and_photons r
+    differs "+: more photons" key_and_photons plus
+    differs "-: fewer photons" key_and_photons minus
+    differs "b: the reference beside" eval 'key b; sleep 0.7'
+    key b
+    differs "2: paths" key 2
+    differs "right: a photon" key Right
+    differs "up: its bounces" key Up
+    differs "3: the lobe" eval 'key 3; sleep 0.5'
+    differs "up: another exponent" eval 'key Up; sleep 0.5'
+    differs "right: another angle" eval 'key Right; sleep 0.5'
+    differs "d: diffuse" eval 'key d; sleep 0.5'
+    differs "4: a screen" key 4
+    differs "right: another surface" key Right
+    differs "5: the tree" key 5
+    differs "up: another depth" key Up
+    differs "1: points" key 1
+    differs "space: slow light" key space
+    key space
+    differs "p: renders" eval 'key p; sleep 2'
+    key p
+    screen_now before
+    local id
+    id=$(xdotool search --onlyvisible --name photonlab | head -1)
+    xdotool windowsize --sync "$id" 800 500
+    sleep 0.3
+    screen_now after
+    cmp -s "$work/before.screen" "$work/after.screen" && bad "resizing changes nothing" || good "resizes"
+    picture_now resized
+    [ "$(png_size "$work/resized.png")" = 800x500 ] && good "its snapshot has the new size" || bad "snapshot after resizing: $(png_size "$work/resized.png")"
+}
+
+# Width and height stand in bytes 16 to 23 of every PNG.
+png_size() {
+    od -An -t u1 -j 16 -N 8 "$1" | awk '{ print $3 * 256 + $4 "x" $7 * 256 + $8 }'
+}
+
+check_close() {
+    key q
+    if wait_for 5 eval '! kill -0 $window 2>/dev/null'; then
+        wait "$window" && good "q: closes, exit code 0" || bad "q: exit code $?"
+    else
+        bad "q does not close the window"
+    fi
+}

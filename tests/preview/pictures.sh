@@ -1,0 +1,52 @@
+# Snapshots without a window: from OSMesa, EGL and a hidden window the same bytes; with neither library, what to install.
+
+# shot NAME [FLAG…]
+shot() {
+    local name=$1
+    shift
+    "$program" preview scenes/box_glass.yaml --photons 20000 --size 480x360 --snapshot "$work/$name.png" "$@" >"$work/$name.log" 2>&1
+}
+
+check_pictures() {
+    local view
+    display_start 640 480
+    for view in points paths lobe screen tree; do
+        for context in osmesa egl window; do
+            shot "$context" --view $view --split --context $context || bad "$view by $context: $(cat "$work/$context.log")"
+        done
+        if cmp -s "$work/osmesa.png" "$work/egl.png" && cmp -s "$work/osmesa.png" "$work/window.png"; then
+            good "$view: the same bytes from OSMesa, EGL and a window"
+        else
+            bad "$view: OSMesa, EGL and a window differ"
+        fi
+    done
+    kill "$xvfb"
+    wait "$xvfb" 2>/dev/null
+    unset DISPLAY
+    shot reference || bad "a snapshot without a display: $(cat "$work/reference.log")"
+    PHOTONLAB_WITHOUT=osmesa shot without && cmp -s "$work/reference.png" "$work/without.png" && good "without OSMesa: the same bytes" ||
+        bad "without OSMesa: $(cat "$work/without.log")"
+    rm -f "$work/neither.png"
+    PHOTONLAB_WITHOUT=osmesa,egl shot neither
+    [ $? = 1 ] && grep -q 'libosmesa6' "$work/neither.log" && [ ! -e "$work/neither.png" ] &&
+        good "with neither: $(cat "$work/neither.log")" || bad "with neither: $(cat "$work/neither.log")"
+    shot again && cmp -s "$work/reference.png" "$work/again.png" && good "the same bytes again" || bad "two snapshots differ"
+    for flags in "--view nothing" "--colour nothing" "--camera 1,2,3" "--size 10x10" "--angle 95" "--every-save"; do
+        shot wrong $flags
+        [ $? = 2 ] && good "$flags: $(head -1 "$work/wrong.log")" || bad "$flags: exit code is not 2"
+    done
+    # Without a display the window's command writes a snapshot on each save.
+    "$program" preview scenes/box_diffuse.yaml --photons 20000 --size 480x360 --snapshot "$work/headless.png" --code "$objects" \
+        --watch "$student" --build "$preview_build" >"$work/headless.log" 2>&1 &
+    local headless=$!
+    wait_for 10 grep -q 'is new' "$work/headless.log" && good "no display: $(head -1 "$work/headless.log")" || bad "no display: $(cat "$work/headless.log")"
+    cp "$work/headless.png" "$work/first.png"
+    printf '#include "photonlab.h"\nVec3 scatter_diffuse(Vec3 normal, Rng *rng)\n{\n    return rng_float(rng) < 2.0f ? normal : normal;\n}\n' |
+        save 1_diffuse_photon_map/1.3_scatter_diffuse.c
+    wait_for 10 eval '[ $(grep -c "is new" "$work/headless.log") -ge 2 ]' && ! cmp -s "$work/first.png" "$work/headless.png" &&
+        good "a save: a new snapshot" || bad "a save: no new snapshot: $(tail -2 "$work/headless.log")"
+    cp solutions/1_diffuse_photon_map/1.3_scatter_diffuse.c "$student/1_diffuse_photon_map/"
+    sleep 1
+    kill $headless
+    wait $headless 2>/dev/null
+}
