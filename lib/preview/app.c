@@ -249,6 +249,17 @@ void app_key(App *app, int key)
     }
 }
 
+void app_hurry(App *app, double now)
+{
+    app->moving = true;
+    app->moved_at = now;
+}
+
+bool app_is_hurried(const App *app)
+{
+    return app->moving || app->flying || app->session.coming;
+}
+
 double app_light_speed(const App *app)
 {
     Box box = bvh_bounds(app->scene->bvh);

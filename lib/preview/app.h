@@ -42,6 +42,10 @@ void app_drag(App *app, int button, bool shift, float right, float down);
 void app_scroll(App *app, float notches); // > 0: nearer
 void app_resize(App *app);
 
+// The answer to a save is wanted soon: a fair part of its photons first, all of them in the next frame.
+void app_hurry(App *app, double now);
+// A part of the photons has to do, since the camera moves, light flies, or the rest of them is still traced.
+bool app_is_hurried(const App *app);
 // m/s, of slow light: it takes some ten seconds through the scene.
 double app_light_speed(const App *app);
 // Turns on while --orbit lasts; prints "orbit: F frames a second, with N photons drawn" at its end.

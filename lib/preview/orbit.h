@@ -19,8 +19,8 @@ Orbit orbit_look(Vec3 position, Vec3 target, float vertical_fov);
 void orbit_frame(Orbit *orbit, Box box, float aspect);
 // Radians, as if the scene were held by its front: right turns it to the right, up raises the camera.
 void orbit_turn(Orbit *orbit, float right, float up);
-void orbit_pan(Orbit *orbit, float right, float up);  // in parts of the view's height
-void orbit_zoom(Orbit *orbit, float factor);          // of the distance
+void orbit_pan(Orbit *orbit, float right, float up); // in parts of the view's height
+void orbit_zoom(Orbit *orbit, float factor);         // of the distance
 Camera orbit_camera(const Orbit *orbit);
 // Column-major, for clip space; near and far planes follow from the box.
 void orbit_projection(const Orbit *orbit, Box scene, float aspect, float matrix[16]);

@@ -59,7 +59,7 @@ static void advance_flight(App *app, double now)
 static void draw(App *app)
 {
     View view = app->view;
-    view.most_points = app->moving || app->flying ? MOVING_POINTS : 0;
+    view.most_points = app_is_hurried(app) ? MOVING_POINTS : 0;
     session_draw(&app->session, app->canvas, &view, app->options->bare);
     canvas_present(app->canvas, app->width, app->height);
     window_swap(app->window);
@@ -87,6 +87,8 @@ static void turn(App *app)
     bool news = session_poll(&app->session, &app->view);
     double now = clock_seconds();
     app->dirty = app->dirty || news;
+    if (news && app->session.answered && app->session.after_save)
+        app_hurry(app, now);
     app_turn_by_itself(app, now);
     if (app->moving && now - app->moved_at > REST_SECONDS) {
         app->moving = false;
@@ -95,7 +97,7 @@ static void turn(App *app)
     advance_flight(app, now);
     if (!app->dirty || app->width < 1 || app->height < 1)
         return;
-    bool rest = !app->moving && !app->flying;
+    bool rest = !app_is_hurried(app);
     draw(app);
     note_answer(&app->session);
     app_note_rest(app, rest);

@@ -70,8 +70,8 @@ static bool poll_watch(Session *session, const View *view)
     if (!session->building)
         session->asked_at = clock_seconds();
     session->building = event == WATCH_BUILDING;
-    if (event == WATCH_BUILDING)
-        return true;
+    if (event == WATCH_BUILDING) // nothing to see: drawing would only take the compiler's time
+        return false;
     snprintf(session->build, sizeof session->build, "%s", watch_message(session->watch));
     if (event == WATCH_FAILED) {
         fault(session, session->build);
@@ -79,7 +79,7 @@ static bool poll_watch(Session *session, const View *view)
     }
     tell(session->build);
     rebuilt(session, view);
-    return true;
+    return false; // its photons are soon there
 }
 
 static void take_scatter(Session *session, int side, const RunStatus *status)

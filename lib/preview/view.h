@@ -52,9 +52,9 @@ void side_set_lobe(Side *side, LobeSamples samples); // takes it over
 
 // What the text around the picture says.
 typedef struct {
-    const char *status;                   // at the bottom: photons, bounces, time, who plays what, last build; NULL: none
-    const char *banner;                   // a fault, in red at the top; NULL: none
-    const char *help;                     // lines of keys; shown when view->help
+    const char *status; // at the bottom: photons, bounces, time, who plays what, last build; NULL: none
+    const char *banner; // a fault, in red at the top; NULL: none
+    const char *help;   // lines of keys; shown when view->help
     const char *left_title, *right_title; // of a split view
     const uint8_t *picture;               // RGBA rows from the top, shown in place of the photons; NULL: none
     int picture_columns, picture_rows;

@@ -54,7 +54,7 @@ orbit_rate() {
     wait_for 10 grep -q '^rest:' "$log"
     line=$(grep '^rest:' "$log" | tail -1)
     set -- $line
-    check "$2 < 0.5" "$line"
+    check "$2 < 0.5 && $6 >= 1000000" "$line"
 }
 
 processor_time() {
@@ -78,7 +78,7 @@ for scene in box_diffuse box_dispersion; do
     save_to_screen $scene
     kill $window; wait $window 2>/dev/null
 done
-window_start scenes/box_diffuse.yaml --photons 1000000 --orbit 3 || bad "no window: $(cat "$log")"
+window_start scenes/box_diffuse.yaml --photons 702000 --orbit 3 || bad "no window: $(cat "$log")"
 orbit_rate
 idle
 finish
