@@ -56,12 +56,13 @@ count() {
 }
 
 part "build" "$make" --no-print-directory judge class-tools meshes
-aside check-attacks check-class check-reports check-judge
+aside check-preview check-attacks check-class check-reports check-judge
 part "unit tests" "$make" --no-print-directory check-unit
 part "unit tests under sanitizers" "$make" --no-print-directory check-sanitized
 part "gcc and clang, threads: the same bytes" "$make" --no-print-directory check-bytes
 part "command line" "$make" --no-print-directory check-cli
 part "command line under sanitizers" "$make" --no-print-directory check-cli-sanitized
+part "course notes" "$make" --no-print-directory check-notes
 part "probe" "$make" --no-print-directory check-probe
 part "exercises" "$make" --no-print-directory check-exercises
 part "the grader graded" env HANDS=b "$make" --no-print-directory check-grader-quick

@@ -1,0 +1,279 @@
+-- What pandoc makes of the notes: figures with the command that makes them, folded answers, asides, tables and formulas that
+-- scroll inside their own box, links between chapters. Works with pandoc 2.17 and 3.
+--
+-- Environment: NOTES_FIGURES, the folder of the figures; NOTES_PAGES, a file with lines "name<TAB>title", in reading order;
+-- NOTES_PAGE, this page's name.
+
+local is_html = FORMAT:match("html") ~= nil
+local figures = os.getenv("NOTES_FIGURES") or "course_notes/figures"
+local page = os.getenv("NOTES_PAGE") or "page"
+local labels = { question = "Question", wrong = "What goes wrong", reading = "To read" }
+
+local function read_file(path)
+    local file = io.open(path, "rb")
+    if not file then
+        io.stderr:write("notes: there is no ", path, "; `make figures` makes it\n")
+        return nil
+    end
+    local bytes = file:read("a")
+    file:close()
+    return bytes
+end
+
+-- ---- HTML ----
+
+local function escape(text)
+    return (text:gsub("[&<>\"]", { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" }))
+end
+
+local digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+
+local function base64(bytes)
+    local out = {}
+    for i = 1, #bytes, 3 do
+        local a, b, c = bytes:byte(i, i + 2)
+        local bits = a << 16 | (b or 0) << 8 | (c or 0)
+        local four = {}
+        for k = 0, 3 do
+            local digit = bits >> (18 - 6 * k) & 63
+            four[k + 1] = digits:sub(digit + 1, digit + 1)
+        end
+        out[#out + 1] = four[1] .. four[2] .. (b and four[3] or "=") .. (c and four[4] or "=")
+    end
+    return table.concat(out)
+end
+
+-- Written into the page, so that a page is one file wherever it is copied to.
+local function embedded(path)
+    local types = { png = "image/png", svg = "image/svg+xml", jpg = "image/jpeg" }
+    local bytes = read_file(path)
+    return bytes and "data:" .. (types[path:match("%w+$")] or "image/png") .. ";base64," .. base64(bytes) or ""
+end
+
+local function raw(text)
+    return pandoc.RawBlock("html", text)
+end
+
+local function inlines_of(markdown)
+    local inlines = pandoc.List()
+    for _, block in ipairs(pandoc.read(markdown, "markdown").blocks) do
+        if block.content then
+            inlines:extend(block.content)
+        end
+    end
+    return inlines
+end
+
+local function figure_html(block, caption)
+    local a = block.attributes
+    local style = a.width and ' style="width:' .. escape(a.width) .. '"' or ""
+    return {
+        raw('<figure' .. (block.identifier ~= "" and ' id="' .. escape(block.identifier) .. '"' or "") .. ">"),
+        raw('<img src="' .. embedded(figures .. "/" .. a.file) .. '" alt="' .. escape(a.alt or "") .. '"' .. style .. " />"),
+        raw("<figcaption>"), pandoc.Plain(caption), raw("</figcaption>"),
+        raw('<pre class="command" tabindex="0">' .. escape(block.text) .. "</pre>"), raw("</figure>"),
+    }
+end
+
+-- ---- LaTeX ----
+
+local function tex(text)
+    return pandoc.RawInline("latex", text)
+end
+
+local function tex_escape(text)
+    local special = { ["\\"] = "\\textbackslash{}", ["~"] = "\\textasciitilde{}", ["^"] = "\\textasciicircum{}",
+                      [" "] = "\\ \\allowbreak{}", ["/"] = "/\\allowbreak{}", ["_"] = "\\_\\allowbreak{}", ["-"] = "{-}",
+                      ["'"] = "\\textquotesingle{}", ["`"] = "\\textasciigrave{}", ['"'] = "\\textquotedbl{}" }
+    return (text:gsub("[\\~^%s/_'`\"-]", special):gsub("[&%%$#]", "\\%0"))
+end
+
+local function command_tex(command)
+    local lines = {}
+    for line in command:gmatch("[^\n]+") do
+        lines[#lines + 1] = tex_escape((line:gsub("[{}]", { ["{"] = "(", ["}"] = ")" })))
+    end
+    return "{\\raggedright\\scriptsize\\ttfamily\\color{gray}" .. table.concat(lines, "\\\\ ") .. "\\par}"
+end
+
+local function figure_tex(block, caption)
+    local a = block.attributes
+    local label = block.identifier ~= "" and tex("\\phantomsection\\label{" .. block.identifier .. "}") or tex("")
+    local image = pandoc.Image({}, figures .. "/" .. a.file, "", { width = a.width or a.file:match("png$") and "58%" or "80%" })
+    -- A small one stays where it is; a large one may float to where it leaves no gap.
+    local place = a.width and "[H]" or "[!htbp]"
+    local body = pandoc.List({ tex("\\begin{figure}" .. place .. "\\centering "), label, image, tex("\\caption{") })
+    body:extend(caption)
+    body:insert(tex("}" .. command_tex(block.text) .. "\\end{figure}"))
+    return pandoc.Para(body)
+end
+
+-- ---- what is replaced by what ----
+
+local function computed_by(block)
+    local file, command = block.attributes.file or "", block.text
+    if is_html then
+        return { raw('<details class="computed"><summary>The numbers here come from <code>' .. escape(file) ..
+                     "</code></summary>"), raw('<pre class="command" tabindex="0">' .. escape(command) .. "</pre></details>") }
+    end
+    return pandoc.Para({ tex("{\\footnotesize Numbers: "), pandoc.Code(file), tex(", computed by}" .. command_tex(command)) })
+end
+
+function CodeBlock(block)
+    if block.classes:includes("data") then
+        return computed_by(block)
+    elseif block.classes:includes("figure") then
+        local caption = inlines_of(block.attributes.caption or "")
+        return is_html and figure_html(block, caption) or figure_tex(block, caption)
+    elseif is_html then
+        block.attributes.tabindex = "0" -- a box that scrolls is reached by keyboard, too
+        return block
+    end
+end
+
+-- Where a row is longer than a line, pandoc makes all columns equally wide. In the PDF a column gets a share by its longest cell
+-- instead; a browser knows better by itself.
+local function set_widths(block)
+    local simple, longest, sum = pandoc.utils.to_simple_table(block), {}, 0
+    for i in ipairs(block.colspecs) do
+        longest[i] = #pandoc.utils.stringify(simple.headers[i] or "")
+        for _, row in ipairs(simple.rows) do
+            longest[i] = math.max(longest[i], #pandoc.utils.stringify(row[i]))
+        end
+        longest[i] = math.min(math.max(longest[i], 7), 60)
+        sum = sum + longest[i]
+    end
+    local specs = {}
+    for i, spec in ipairs(block.colspecs) do
+        specs[i] = is_html and { spec[1] } or { spec[1], longest[i] / sum }
+    end
+    block.colspecs = specs
+    return block
+end
+
+function Table(block)
+    local long = (block.colspecs[1][2] or 0) > 0
+    block = long and set_widths(block) or block
+    return is_html and { raw('<div class="wide' .. (long and " long" or "") .. '" tabindex="0">'), block, raw("</div>") } or block
+end
+
+function Math(math)
+    if is_html and math.mathtype == "DisplayMath" then
+        return { pandoc.RawInline("html", '<span class="formula" tabindex="0">'), math, pandoc.RawInline("html", "</span>") }
+    end
+end
+
+function Span(span)
+    return span.attributes.from and span.content or nil
+end
+
+local function boxed(content, before, after)
+    local blocks = pandoc.List(before)
+    blocks:extend(content)
+    blocks:extend(after)
+    return blocks
+end
+
+local function answer(div)
+    if is_html then
+        return boxed(div.content, { raw('<details class="answer"><summary>Answer</summary>') }, { raw("</details>") })
+    end
+    return boxed(div.content, { pandoc.RawBlock("latex", "\\begin{quote}\\footnotesize\\emph{Answer.}") },
+                 { pandoc.RawBlock("latex", "\\end{quote}") })
+end
+
+local function aside(div, class)
+    if is_html then
+        local id = div.identifier ~= "" and ' id="' .. escape(div.identifier) .. '"' or ""
+        return boxed(div.content, { raw("<div" .. id .. ' class="aside ' .. class .. '"><p class="label">' .. labels[class] .. "</p>") },
+                     { raw("</div>") })
+    end
+    return boxed(div.content, { pandoc.RawBlock("latex", "\\begin{aside}{" .. labels[class] .. "}") },
+                 { pandoc.RawBlock("latex", "\\end{aside}") })
+end
+
+-- The text's font has no such signs.
+local function Str(str)
+    if not is_html and (str.text:find("✓") or str.text:find("✗")) then
+        return tex("{\\sffamily " .. str.text .. "}")
+    end
+end
+
+-- The list of chapters, made from those that there are: students do not have all.
+local function contents()
+    local items = pandoc.List()
+    for line in io.lines(os.getenv("NOTES_PAGES")) do
+        local name, title = line:match("^(.-)\t(.*)$")
+        local sections = pandoc.List()
+        local doc = pandoc.read(read_file("course_notes/" .. name .. ".md"), "markdown")
+        for _, block in ipairs(doc.blocks) do
+            if block.t == "Header" and block.level == 2 then
+                if #sections > 0 then
+                    sections:extend({ pandoc.Space(), pandoc.Str("·"), pandoc.Space() })
+                end
+                sections:insert(pandoc.Link(block.content, name .. ".html#" .. block.identifier))
+            end
+        end
+        items:insert({ pandoc.Para({ pandoc.Strong({ pandoc.Link(pandoc.Str(title), name .. ".html") }) }), pandoc.Para(sections) })
+    end
+    return pandoc.BulletList(items)
+end
+
+function Div(div)
+    if div.classes:includes("contents") then
+        return is_html and contents() or {}
+    elseif div.classes:includes("answer") then
+        return answer(div)
+    end
+    for class in pairs(labels) do
+        if div.classes:includes(class) then
+            return aside(div, class)
+        end
+    end
+end
+
+function Image(image)
+    if is_html then
+        image.src = embedded("course_notes/" .. image.src)
+    else
+        image.src = "course_notes/" .. image.src
+    end
+    return image
+end
+
+-- In the PDF all chapters are one document: an anchor gets its chapter's name before it, and so do the links to it.
+local one_document = {
+    Header = function(header)
+        header.identifier = header.level == 1 and page or page .. "--" .. header.identifier
+        return header
+    end,
+    Link = function(link)
+        local name, anchor = link.target:match("^([%w_]*)%.?h?t?m?l?#?(.*)$")
+        if link.target:match("^#") then
+            link.target = "#" .. page .. "--" .. link.target:sub(2)
+        elseif link.target:match("^[%w_]+%.html") then
+            link.target = "#" .. name .. (anchor ~= "" and "--" .. anchor or "")
+        end
+        return link
+    end,
+    CodeBlock = function(block)
+        if block.identifier ~= "" then
+            block.identifier = page .. "--" .. block.identifier
+        end
+        return block
+    end,
+}
+
+local function set_title(doc)
+    for _, block in ipairs(doc.blocks) do
+        if block.t == "Header" and block.level == 1 then
+            doc.meta.pagetitle = pandoc.utils.stringify(block)
+            return doc
+        end
+    end
+    io.stderr:write("notes: ", page, ".md has no title; its first line should be `# …`\n")
+    os.exit(1)
+end
+
+local replace = { CodeBlock = CodeBlock, Table = Table, Math = Math, Span = Span, Div = Div, Image = Image, Str = Str }
+return is_html and { replace, { Pandoc = set_title } } or { one_document, replace }
