@@ -28,8 +28,8 @@ typedef struct {
     bool wants_rest; // tell when all photons are drawn after that
 } App;
 
-#define MOVING_POINTS 60000 // photons drawn while the camera moves
-#define REST_SECONDS  0.08  // without a movement: all of them
+#define MOVING_POINTS 50000 // photons drawn while the camera moves
+#define REST_SECONDS  0.05  // without a movement: all of them
 
 bool app_start(App *app, const Scene *scene, const PreviewOptions *options, Broker *broker, Window *window,
                Error *error);

@@ -38,7 +38,9 @@ save_to_screen() {
         mv "$work/saved" "$student/$step"
         wait_for 10 eval '[ "$(photons_drawn)" -gt $before ]' || { bad "save $i: no new photons"; return; }
         awk "BEGIN { print $(now) - $start }" >>"$times"
-        sleep 0.3
+        # A person looks before the next save; all photons are there by then, and drawn.
+        wait_for 10 said_again 'photons stored .* after the save' "$i"
+        sleep 0.7
     done
     check "$(median <"$times") < 0.5" "$1: save to photons on screen, median of $saves: $(median <"$times") s (slowest $(sort -g "$times" | tail -1))"
 }
