@@ -11,6 +11,8 @@
 //   image/    pictures, in memory and in files, and how far one is from another
 //   steps/    the parts that you write: one function each, called through the table `steps`
 //   math/     vectors, colours, random numbers
+//   preview/  the live preview; the program's, not the library's: view.h (what is drawn), run.h (students' code in
+//             processes of its own), canvas.h (OpenGL), session.h and app.h (what is asked, and what keys do)
 //   cli/      the program `photonlab`, one file per subcommand
 //
 // Conventions, everywhere:
