@@ -55,9 +55,9 @@ count() {
     echo "   $seconds s"
 }
 
-part "build" "$make" --no-print-directory judge class-tools meshes
+part "build" "$make" --no-print-directory EXTRA=-Werror judge class-tools meshes
 aside check-preview check-attacks check-class check-reports check-judge
-part "unit tests" "$make" --no-print-directory check-unit
+part "unit tests" "$make" --no-print-directory EXTRA=-Werror check-unit
 part "unit tests under sanitizers" "$make" --no-print-directory check-sanitized
 part "gcc and clang, threads: the same bytes" "$make" --no-print-directory check-bytes
 part "command line" "$make" --no-print-directory check-cli

@@ -55,7 +55,7 @@ static inline bool material_is_rough(const Material *material)
 //   glossy, GLOSSY_PHONG: ρ_d/π + ρ_s·(n+2)/(2π)·cosⁿα, α between wo and the mirror direction of wi
 //     (Lafortune & Willems 1994). Reciprocal.
 //   glossy, GLOSSY_SOURCE_TEXT: ρ_d/π + ρ_s·p(wo)/cosθ_o, with p the density that step 2.3 samples. It is what those
-//     photons carry, but no material: it is not reciprocal, and needs I_P(θ), which has no elementary form.
+//     photons carry, but no material: it is not reciprocal. Its I_P(θ) is a finite sum for whole n only.
 // Zero when wi or wo is below the surface. material_lobe: the part with ρ_s alone.
 Colour material_lobe(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);
 Colour material_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);

@@ -35,7 +35,7 @@ bool russian_roulette(Colour *power, Colour reflectance, Rng *rng);
 // flies on from hit.position. Nothing is stored on mirrors and glass.
 void trace_photon(PhotonTrace *trace, Photon photon, Rng *rng);
 
-// 1.6  Reflected radiance, W/(m²·sr), from the photons near a point (Jensen 1996), with a cone filter:
+// 1.6  Reflected radiance, W/(m²·sr), from the photons near a point (Jensen 1996), with a cone filter (Jensen 2001):
 //          L = 3/(πr²) Σ f_r(wi, wo) Φ (1 − d/r)
 // d: a photon's distance; r: the radius that gather_near reports, the distance to the k-th photon or the largest
 // allowed. Only photons that arrived on the side of hit->normal count. No cosine: the flux Φ has it already. `wo` is
