@@ -71,5 +71,14 @@ for case in "paths scenes/box_glass.yaml 100 2 9 3.4 1" "picture scenes/box_glas
     numbers=$(probe 1.1 "$solutions" "$case" | wc -w)
     check "$numbers > 100" "probe 1.1 $case"
 done
+echo "scatter scenes/box_glass.yaml 50 400 9 2.4,3.4 1" >"$work/scatter"
+several() { "$program" probe --several "$1" --objects "$work" --references "$solutions" "$work/scatter" -o "$work/photons" --print; }
+mkdir -p "$work/1.1" && cp "$solutions/1_diffuse_photon_map/1.1_reflect.so" "$work/1.1/step.so"
+several "" >"$work/reference" 2>&1
+check "$(wc -w <"$work/reference") == $((2 + 3 + 400 * 15))" "a scatter has room for 400 photons"
+several 1.1 >"$work/several" 2>&1
+if cmp -s "$work/reference" "$work/several"; then good "the same object by another way: the same photons"; else bad "scatter: $(head -c 200 "$work/several")"; fi
+if several 1.2 >/dev/null 2>"$work/err"; then bad "a missing object is taken"; else good "a missing object is refused"; fi
+if several 1.1,7 >/dev/null 2>"$work/err"; then bad "step 7 is taken"; else good "step 7 is refused"; fi
 if "$program" probe --step 9.9 --object a --references b c >/dev/null 2>"$work/err"; then bad "step 9.9 is taken"; else good "step 9.9 is refused"; fi
 finish

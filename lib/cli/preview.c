@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "cli/preview_photons.h"
 #include "preview/preview.h"
 
 #include <stdio.h>
@@ -30,6 +31,8 @@ static const char help[] =
     "  --bare               no text in the picture; --no-wireframe: no lines of the scene\n"
     "  --context NAME       what draws a snapshot: osmesa, egl, or window, a hidden one (the first that is there)\n"
     "  --code DIR           play the steps built in DIR\n"
+    "  --photons-file FILE  nobody plays: these photons, which `make report` left in build/test/scatter_1/; with\n"
+    "                       --reference-file FILE those beside them. Needs --snapshot\n"
     "  --watch DIR --build COMMAND   after each save below DIR: sh -c COMMAND sh SOURCE.c OBJECT.so, and new photons\n"
     "  --report FILE        what the key `o` opens\n"
     "  --orbit SECONDS      the window turns by itself for so long, and tells how many frames a second it made\n";
@@ -38,7 +41,7 @@ static const char help[] =
 #define PREVIEW_PATHS   1000
 
 typedef struct {
-    const char *scene, *view, *colour, *camera, *size, *steps, *context;
+    const char *scene, *view, *colour, *camera, *size, *steps, *context, *photons_file, *reference_file;
     bool every_save, frame, no_wireframe, split, diffuse;
     float exponent, angle, flight;
     int surface, level, bounce;
@@ -74,6 +77,10 @@ static bool parse_names(Arguments *a)
         image_path_is_known(options->snapshot, &error);
     if (a->every_save && (!options->snapshot || !options->source))
         error_set(&error, "--every-save: needs --snapshot, --watch and --build");
+    if (a->photons_file && (!options->snapshot || options->source))
+        error_set(&error, "--photons-file: needs --snapshot, and goes without --watch");
+    if (a->reference_file && !a->photons_file)
+        error_set(&error, "--reference-file: needs --photons-file");
     if (options->source && (!options->build || !options->code))
         error_set(&error, "--watch: needs --build and --code");
     if (error.message[0])
@@ -114,6 +121,8 @@ static int parse(int count, char **arguments, Arguments *a)
         {"no-wireframe", FLAG_PRESENT, &a->no_wireframe, 0, 0},
         {"context", FLAG_TEXT, &a->context, 0, 0},
         {"code", FLAG_TEXT, &o->code, 0, 0},
+        {"photons-file", FLAG_TEXT, &a->photons_file, 0, 0},
+        {"reference-file", FLAG_TEXT, &a->reference_file, 0, 0},
         {"watch", FLAG_TEXT, &o->source, 0, 0},
         {"build", FLAG_TEXT, &o->build, 0, 0},
         {"report", FLAG_TEXT, &o->report, 0, 0},
@@ -132,7 +141,7 @@ static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *
         view_kind_parse(a->view, &view->kind);
     if (a->colour)
         colour_mode_parse(a->colour, &view->colour);
-    view->split = a->split;
+    view->split = a->split || a->reference_file;
     view->diffuse = a->diffuse;
     view->wireframe = !a->no_wireframe;
     view->exponent = a->exponent >= 0.0f ? a->exponent : view->exponent;
@@ -176,6 +185,20 @@ static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *
     return preview_snapshots(scene, &options, broker, error);
 }
 
+static bool show_files(const Scene *scene, const Arguments *a, Error *error)
+{
+    Scatter yours = {.photons = NULL}, reference = {.photons = NULL};
+    PreviewOptions options = a->options;
+    options.given = &yours;
+    options.given_reference = a->reference_file ? &reference : NULL;
+    bool ok = preview_photons_read(a->photons_file, scene, &yours, error) &&
+              (!a->reference_file || preview_photons_read(a->reference_file, scene, &reference, error)) &&
+              preview_snapshot(scene, &options, NULL, error);
+    scatter_free(&yours);
+    scatter_free(&reference);
+    return ok;
+}
+
 int command_preview(int count, char **arguments)
 {
     Arguments a;
@@ -193,9 +216,9 @@ int command_preview(int count, char **arguments)
         scene_free(scene);
         return report_usage("preview", "%s", error.message);
     }
-    Broker *broker = broker_start(scene, a.options.source, &error);
+    Broker *broker = a.photons_file ? NULL : broker_start(scene, a.options.source, &error);
     parallel_limit(0);
-    bool ok = broker && show(scene, &a, broker, &error);
+    bool ok = a.photons_file ? show_files(scene, &a, &error) : broker && show(scene, &a, broker, &error);
     if (broker)
         broker_stop(broker);
     scene_free(scene);

@@ -10,12 +10,15 @@
 
 static const char help[] =
     "usage: photonlab probe --step ID --object STEP.so --references DIR CASES [-o OUT | --fd N]\n"
+    "       photonlab probe --several LIST --objects DIR --references DIR CASES [-o OUT | --fd N]\n"
     "\n"
     "Runs one step on given cases and writes what it gave, as numbers. What `make test` and `make debug` call; lib/cli/probe.h\n"
     "describes both files.\n"
     "\n"
     "  --step ID          which step, e.g. 2.1\n"
     "  --object FILE      the step's shared object\n"
+    "  --several LIST     several steps together, parted by commas (none: the references play all); for cases in scenes\n"
+    "  --objects DIR      their shared objects: DIR/2.1/step.so\n"
     "  --references DIR   solutions for the other steps, laid out like build/solutions\n"
     "  --root DIR         where the cases' scenes are looked for (the working directory)\n"
     "  -o FILE            where to write; or\n"
@@ -26,7 +29,7 @@ static const char help[] =
 #define MOST_CASE_BYTES (16u << 20)
 
 typedef struct {
-    const char *step, *object, *references, *root, *out, *cases;
+    const char *step, *object, *several, *objects, *references, *root, *out, *cases;
     int fd, only;
     bool print;
 } Arguments;
@@ -130,13 +133,15 @@ static bool run_case(const StepInfo *step, char *text, ProbeOutput *output, Erro
 {
     ProbeLine line = {text, false};
     const char *kind = probe_word(&line);
-    if (strcmp(kind, "call") == 0)
+    if (strcmp(kind, "call") == 0 && step)
         return probe_call(step, &line, output, error);
     if (strcmp(kind, "paths") == 0)
         return probe_paths(&line, output, error);
     if (strcmp(kind, "picture") == 0)
         return probe_picture(&line, output, error);
-    return error_set(error, "no kind of case `%s`; expected call, paths or picture", kind);
+    if (strcmp(kind, "scatter") == 0)
+        return probe_scatter(&line, output, error);
+    return error_set(error, "no kind of case `%s`; expected %spaths, picture or scatter", kind, step ? "call, " : "");
 }
 
 static bool write_all(int fd, const void *bytes, size_t size)
@@ -179,7 +184,7 @@ static bool run_cases(const Arguments *a, const StepInfo *step, char *text, int 
             continue;
         ProbeOutput output = {NULL, 0, 0, false};
         probe_case = number;
-        size_t expected = probe_case_size(step->id, line);
+        size_t expected = probe_case_size(step ? step->id : "", line);
         bool ok = run_case(step, line, &output, error);
         if (ok && output.out_of_memory)
             ok = error_set(error, "not enough memory");
@@ -206,6 +211,8 @@ static int parse(int count, char **arguments, Arguments *a)
     const Flag flags[] = {
         {"step", FLAG_TEXT, &a->step, 0, 0},
         {"object", FLAG_TEXT, &a->object, 0, 0},
+        {"several", FLAG_TEXT, &a->several, 0, 0},
+        {"objects", FLAG_TEXT, &a->objects, 0, 0},
         {"references", FLAG_TEXT, &a->references, 0, 0},
         {"root", FLAG_TEXT, &a->root, 0, 0},
         {"o", FLAG_TEXT, &a->out, 0, 0},
@@ -217,17 +224,33 @@ static int parse(int count, char **arguments, Arguments *a)
                                    count, arguments, &a->cases);
     if (wrong)
         return wrong;
-    if (!a->step || !a->object || !a->references)
-        return report_usage("probe", "needs --step, --object and --references");
+    bool one = a->step && a->object && !a->several && !a->objects;
+    bool several = a->several && a->objects && !a->step && !a->object;
+    if (!a->references || (!one && !several))
+        return report_usage("probe", "needs --step and --object, or --several and --objects; and --references");
     return 0;
 }
 
-static const StepInfo *find_step(const char *id)
+// "2.1,2.2": their places in the table. Nothing at all: none of them.
+static bool read_list(const char *list, bool graded[STEP_COUNT])
 {
     for (size_t i = 0; i < STEP_COUNT; i++)
-        if (strcmp(step_table[i].id, id) == 0)
-            return &step_table[i];
-    return NULL;
+        graded[i] = false;
+    for (const char *word = list; *word; word += strcspn(word, ",") + (word[strcspn(word, ",")] == ',')) {
+        char id[16];
+        snprintf(id, sizeof id, "%.*s", (int)strcspn(word, ","), word);
+        const StepInfo *step = step_find(id);
+        if (!step)
+            return false;
+        graded[step - step_table] = true;
+    }
+    return true;
+}
+
+static bool load(const Arguments *a, const StepInfo *step, const bool graded[STEP_COUNT], Error *error)
+{
+    return step ? steps_load_graded(step, a->object, a->references, error)
+                : steps_load_several(graded, a->objects, a->references, error);
 }
 
 int command_probe(int count, char **arguments)
@@ -236,9 +259,12 @@ int command_probe(int count, char **arguments)
     int wrong = parse(count, arguments, &a);
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
-    const StepInfo *step = find_step(a.step);
-    if (!step)
+    const StepInfo *step = a.step ? step_find(a.step) : NULL;
+    bool graded[STEP_COUNT];
+    if (a.step && !step)
         return report_usage("probe", "--step %s: no such step", a.step);
+    if (a.several && !read_list(a.several, graded))
+        return report_usage("probe", "--several %s: expected steps parted by commas", a.several);
     scene_root = a.root ? a.root : ".";
     parallel_limit(1); // grading runs one probe per core
     Error error = {""};
@@ -247,10 +273,9 @@ int command_probe(int count, char **arguments)
     if (!text)
         return report_error(&error);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what a step prints is out before it crashes
-    probe_watch(a.object);
+    probe_watch(a.object ? a.object : "");
     FileWriter writer = {NULL, NULL, NULL};
-    bool ok =
-        steps_load_graded(step, a.object, a.references, &error) && (!a.out || file_write_begin(&writer, a.out, &error));
+    bool ok = load(&a, step, graded, &error) && (!a.out || file_write_begin(&writer, a.out, &error));
     ok = ok && run_cases(&a, step, text, a.out ? fileno(writer.stream) : a.fd, &error);
     if (writer.stream)
         ok = file_write_end(&writer, ok, &error) && ok;

@@ -1,10 +1,11 @@
-// What `photonlab probe` is made of. It runs one step of a student and writes down what came out, as numbers; it
+// What `photonlab probe` is made of. It runs one step of a student, or several together, and writes down what came out, as numbers; it
 // judges nothing and knows no right answer.
 //
 // It reads cases, one a line, words parted by spaces:
 //   call COUNT SEED ARGUMENT…      the step COUNT times, call i with the random stream (SEED, i); see probe_calls.c
 //   paths SCENE PHOTONS BATCHES DEPTH STEPS SEED             photon passes in BATCHES parts; see probe_paths.c
 //   picture SCENE WIDTH HEIGHT PHOTONS K DEPTH STEPS SEED    one picture, photons only, one eye ray a pixel
+//   scatter SCENE PHOTONS ROOM DEPTH STEPS SEED              the photons of one pass, at most ROOM; see probe_scatter.h
 // SCENE is a path from --root, STEPS what `--steps` takes. The numbers are written as they come off this machine, case by case:
 //   "photonlab probe 1\n", then for every case two uint32 (its number from 0, how many floats) and the floats.
 #ifndef PHOTONLAB_CLI_PROBE_H
@@ -43,10 +44,11 @@ Colour probe_colour(ProbeLine *line);
 bool probe_at_end(ProbeLine *line);
 Scene *probe_scene(const char *path, Error *error); // from --root
 
-// The three kinds of case. False, with a reason, when a line is broken or a scene cannot be had.
+// The kinds of case. False, with a reason, when a line is broken or a scene cannot be had.
 bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error);
+bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error);
 
 // From here on, a crash writes one line to standard error before the program dies of it:
 //   photonlab-crash signal=11 case=3 address=0x0 stack=near|far peak_kb=N frames=OFFSET,OFFSET…

@@ -3,6 +3,7 @@
 #define PHOTONLAB_CLI_PROBE_SIZES_H
 
 #include "cli/probe_batch.h"
+#include "cli/probe_scatter.h"
 
 #include <stddef.h>
 #include <stdio.h>
@@ -30,6 +31,8 @@ static inline size_t probe_case_size(const char *id, const char *line)
         return (size_t)first * probe_call_size(id);
     if (sscanf(line, "paths %*s %*d %ld", &first) == 1)
         return (size_t)first * BATCH_NUMBERS;
+    if (sscanf(line, "scatter %*s %*d %ld", &first) == 1)
+        return SCATTER_HEAD + (size_t)first * SCATTER_NUMBERS;
     if (sscanf(line, "picture %*s %ld %ld", &first, &second) == 2)
         return (size_t)first * (size_t)second * 3;
     return 0;

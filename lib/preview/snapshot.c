@@ -47,7 +47,7 @@ void session_draw(const Session *session, Canvas *canvas, const View *view, bool
     snprintf(banner, sizeof banner, "%s%s%s", session->fault, session->fault[0] && session->notice[0] ? "\n" : "",
              session->notice);
     Captions captions = {.help = help, .left_title = "yours", .right_title = "reference"};
-    captions.status = bare ? NULL : status;
+    captions.status = bare || session->options->given ? NULL : status;
     captions.banner = bare || !banner[0] ? NULL : banner;
     captions.bare = bare;
     int passes;
@@ -127,6 +127,16 @@ static void easel_close(Easel *easel)
         window_free(easel->window);
 }
 
+static void show_given(Session *session, const PreviewOptions *options)
+{
+    side_set_scatter(session->sides[YOURS], *options->given);
+    *options->given = (Scatter){.photons = NULL};
+    if (options->given_reference) {
+        side_set_scatter(session->sides[REFERENCE], *options->given_reference);
+        *options->given_reference = (Scatter){.photons = NULL};
+    }
+}
+
 // Waits until everything that the view needs is there.
 static void settle(Session *session, const View *view)
 {
@@ -140,8 +150,12 @@ bool preview_snapshot(const Scene *scene, const PreviewOptions *options, Broker 
     Session session = {.photons = 0};
     bool ok = easel_open(&easel, options, error);
     if (ok && (ok = session_start(&session, scene, options, broker, easel.canvas, error))) {
-        session_scatter(&session, &options->view);
-        settle(&session, &options->view);
+        if (options->given) {
+            show_given(&session, options);
+        } else {
+            session_scatter(&session, &options->view);
+            settle(&session, &options->view);
+        }
         if (session.fault[0])
             ok = error_set(error, "%s", session.fault);
         else

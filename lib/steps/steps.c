@@ -171,19 +171,36 @@ static void step_is_absent(void)
     abort();
 }
 
-bool steps_load_graded(const StepInfo *graded, const char *object, const char *references, Error *error)
+static bool load_references(const bool graded[STEP_COUNT], const char *references, Error *error)
 {
     void (*absent)(void) = step_is_absent;
     for (size_t i = 0; i < STEP_COUNT; i++) {
         char path[4096];
         snprintf(path, sizeof path, "%s/%s.so", references, step_table[i].file);
         memcpy((char *)&steps + step_table[i].slot, &absent, sizeof absent);
-        step_states[i] = STEP_REFERENCE;
-        if (&step_table[i] != graded && file_exists(path) && !load_slot(&step_table[i], path, error))
+        step_states[i] = graded[i] ? STEP_STUDENT : STEP_REFERENCE;
+        if (!graded[i] && file_exists(path) && !load_slot(&step_table[i], path, error))
             return false;
     }
-    step_states[graded - step_table] = STEP_STUDENT;
-    return load_slot(graded, object, error);
+    return true;
+}
+
+bool steps_load_graded(const StepInfo *graded, const char *object, const char *references, Error *error)
+{
+    bool chosen[STEP_COUNT] = {false};
+    chosen[graded - step_table] = true;
+    return load_references(chosen, references, error) && load_slot(graded, object, error);
+}
+
+bool steps_load_several(const bool graded[STEP_COUNT], const char *objects, const char *references, Error *error)
+{
+    bool ok = load_references(graded, references, error);
+    for (size_t i = 0; ok && i < STEP_COUNT; i++) {
+        char path[4096];
+        snprintf(path, sizeof path, "%s/%s/step.so", objects, step_table[i].id);
+        ok = !graded[i] || load_slot(&step_table[i], path, error);
+    }
+    return ok;
 }
 
 void steps_play(StepChoice choice)

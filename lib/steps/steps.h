@@ -73,6 +73,9 @@ bool steps_load(const char *student_dir, Error *error);
 // the program with a message when it is called.
 bool steps_load_graded(const StepInfo *graded, const char *object, const char *references, Error *error);
 
+// The same for several steps together, each from objects/<its id>/step.so.
+bool steps_load_several(const bool graded[STEP_COUNT], const char *objects, const char *references, Error *error);
+
 // Which steps play where two do the same work: "2.3" or "2.4" for glossy surfaces, "1.5" or "3.4" for the photon's
 // life; several parted by commas. Unset: 2.4 and 3.4.
 typedef struct {

@@ -21,6 +21,8 @@ top=$work/photonlab-$version
 secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|malformed|class|agreement|preview)/|^course_notes/teachers'
 secret="$secret|^tests/[^/]*\\.(md|sh)\$|^tests/judge/.*test|^tests/judge/(calibrate/|features_table\\.sh|grade_case\\.sh)"
 secret="$secret|^tests/steps/(make_exercises\\.sh|stub\\.awk)"
+# Programs behind figures in which a line or two of a step stand, right or wrong; and what plays the known mistakes.
+secret="$secret|^course_notes/figures/src/((1_ledger|1_roulette|2_sample|3_curves|4_gather)\\.c\$|5_)"
 [ -n "$with" ] || secret="$secret|^solutions/"
 students='^tests/(common|setup)\.sh$|^tests/class/(class\.mk|submit\.sh|update\.sh)$|^tests/mistakes/features\.txt$'
 framework_files | grep -E "$students" >"$work/list"

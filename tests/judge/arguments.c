@@ -23,6 +23,7 @@ static const char help[] =
     "  --sanitized       no limit of memory: AddressSanitizer needs more than there is\n"
     "  --first-round     no confirmation of failures by chance (to measure how often they are)\n"
     "  --features        print each step's features, for the table of mistakes\n"
+    "  --scatters N      the stages' scatters alone, with N salts: a line \"STAGE STATUS P THRESHOLD MESSAGE\" each\n"
     "  --verbose         show the checks of steps that pass, too\n"
     "\n"
     "Exit: 0 nothing that was started fails; 1 something does; 2 wrong usage; 3 grading was not possible.\n";
@@ -50,18 +51,29 @@ int arguments_parse(int count, char **arguments, Arguments *a)
                                .cpu_seconds = 6.0,
                                .memory_limit = true}};
     GradeOptions *g = &a->grade;
-    const struct option options[] = {
-        {"code", required_argument, NULL, 'c'},     {"step", required_argument, NULL, 's'},
-        {"stage", required_argument, NULL, 'g'},    {"root", required_argument, NULL, 'r'},
-        {"build", required_argument, NULL, 'b'},    {"work", required_argument, NULL, 'w'},
-        {"report", required_argument, NULL, 'R'},   {"points", required_argument, NULL, 'p'},
-        {"compiler", required_argument, NULL, 'C'}, {"flags", required_argument, NULL, 'F'},
-        {"link", required_argument, NULL, 'L'},     {"jobs", required_argument, NULL, 'j'},
-        {"salt", required_argument, NULL, 'S'},     {"seconds", required_argument, NULL, 't'},
-        {"credit", no_argument, &a->credit, 1},     {"strict", no_argument, &a->strict, 1},
-        {"sanitized", no_argument, &sanitized, 1},  {"first-round", no_argument, &first_round, 1},
-        {"features", no_argument, &a->features, 1}, {"verbose", no_argument, &a->verbose, 1},
-        {"help", no_argument, NULL, 'h'},           {NULL, 0, NULL, 0}};
+    const struct option options[] = {{"code", required_argument, NULL, 'c'},
+                                     {"step", required_argument, NULL, 's'},
+                                     {"stage", required_argument, NULL, 'g'},
+                                     {"root", required_argument, NULL, 'r'},
+                                     {"build", required_argument, NULL, 'b'},
+                                     {"work", required_argument, NULL, 'w'},
+                                     {"report", required_argument, NULL, 'R'},
+                                     {"points", required_argument, NULL, 'p'},
+                                     {"compiler", required_argument, NULL, 'C'},
+                                     {"flags", required_argument, NULL, 'F'},
+                                     {"link", required_argument, NULL, 'L'},
+                                     {"jobs", required_argument, NULL, 'j'},
+                                     {"salt", required_argument, NULL, 'S'},
+                                     {"seconds", required_argument, NULL, 't'},
+                                     {"scatters", required_argument, NULL, 'n'},
+                                     {"credit", no_argument, &a->credit, 1},
+                                     {"strict", no_argument, &a->strict, 1},
+                                     {"sanitized", no_argument, &sanitized, 1},
+                                     {"first-round", no_argument, &first_round, 1},
+                                     {"features", no_argument, &a->features, 1},
+                                     {"verbose", no_argument, &a->verbose, 1},
+                                     {"help", no_argument, NULL, 'h'},
+                                     {NULL, 0, NULL, 0}};
     for (int found; (found = getopt_long(count, arguments, "h", options, NULL)) != -1;) {
         switch (found) {
         case 0:
@@ -102,6 +114,9 @@ int arguments_parse(int count, char **arguments, Arguments *a)
         case 'j':
             a->jobs = atoi(optarg);
             break;
+        case 'n':
+            a->scatters = whole(optarg);
+            break;
         case 'S':
             g->salt = optarg;
             break;
@@ -116,6 +131,7 @@ int arguments_parse(int count, char **arguments, Arguments *a)
         }
     }
     g->memory_limit = !sanitized;
+    g->compile_only = a->scatters > 0;
     g->first_round_only = first_round;
     if (optind < count) {
         fprintf(stderr, "judge: what is `%s`? judge --help lists the flags\n", arguments[optind]);

@@ -11,7 +11,7 @@
 typedef struct {
     GradeOptions grade;
     const char *step, *report, *points;
-    int stage, jobs;
+    int stage, jobs, scatters;
     int credit, strict, features, verbose;
 } Arguments;
 

@@ -225,6 +225,9 @@ void grade_step(const GradeOptions *options, const StepInfo *step, StepResult *r
     for (int i = 0; i < *checks->count; i++)
         result->checks[i] = (CheckResult){.check = &checks->checks[i], .status = STATUS_SKIP, .finding = {.p = 1.0}};
     result->status = *checks->count > 0 ? compile_step(options, step, result) : STATUS_SKIP;
+    result->playable = result->status == STATUS_PASS;
+    if (options->compile_only)
+        return;
     if (result->status == STATUS_PASS)
         result->status = run_checks(options, checks, false, 0, result);
     if (result->status == STATUS_PASS)

@@ -33,7 +33,8 @@ typedef struct {
     double points, points_max;
     double seconds;
     bool hidden;
-    char due[16]; // "2026-12-01" or empty
+    bool playable; // it is compiled, and nothing is wrong with its object
+    char due[16];  // "2026-12-01" or empty
 } StepResult;
 
 // How a submission is graded.
@@ -51,6 +52,7 @@ typedef struct {
     bool memory_limit;         // false under AddressSanitizer
     double cpu_seconds;        // a step's cases may take; wall clock: six times as long
     double speed;              // this machine's time for a fixed task ÷ the usual; time limits grow with it
+    bool compile_only;         // not one check: for measuring the scatters
     bool first_round_only;     // no confirmation: for measuring the level
 } GradeOptions;
 
@@ -68,9 +70,6 @@ Status compile_step(const GradeOptions *options, const StepInfo *step, StepResul
 // STATUS_PASS when all went through.
 Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, char *const *lines, size_t count,
                  Numbers *numbers, float **storage, long *crashed_case, StepResult *result);
-
-// What the person at the terminal reads.
-void print_results(const StepResult *results, int count, bool verbose);
 
 // Who likely made which mistake: compares features with tests/mistakes/features.txt.
 void diagnose(const GradeOptions *options, StepResult *result);

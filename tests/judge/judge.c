@@ -5,6 +5,7 @@
 #include "../steps/pictures.h"
 #include "points.h"
 #include "report_json.h"
+#include "stages.h"
 #include "submission.h"
 
 #include <math.h>
@@ -66,7 +67,7 @@ static bool is_wanted(const Arguments *a, const StepInfo *step)
     return (!a->step || strcmp(a->step, step->id) == 0) && (a->stage == 0 || a->stage == step->stage);
 }
 
-static int exit_code(const Arguments *a, const StepResult *results, int count)
+static int exit_code(const Arguments *a, const StepResult *results, int count, const StageResult *stages)
 {
     bool all = true, none_fails = true;
     for (int i = 0; i < count; i++) {
@@ -75,6 +76,12 @@ static int exit_code(const Arguments *a, const StepResult *results, int count)
         all = all && results[i].status == STATUS_PASS;
         none_fails = none_fails && (results[i].status == STATUS_PASS || results[i].status == STATUS_TODO);
     }
+    for (int i = 0; i < STAGES; i++) {
+        if (stages[i].stage > 0 && stages[i].status == STATUS_SKIP)
+            return EXIT_UNGRADED;
+        none_fails = none_fails && stages[i].status != STATUS_FAIL && stages[i].status != STATUS_ERROR;
+    }
+    all = all && none_fails;
     return (a->strict ? all : none_fails) ? 0 : EXIT_FAILS;
 }
 
@@ -108,15 +115,17 @@ static void print_cost(double seconds)
             (double)largest / 1024.0);
 }
 
-static bool report(const Arguments *a, double seconds, const StepResult *results, int count, Error *error)
+static bool report(const Arguments *a, double seconds, const StepResult *results, int count, const StageResult *stages,
+                   Error *error)
 {
     bool sandboxed = a->grade.sandbox != SANDBOX_NONE;
     ReportHead head = {a->grade.code, sandbox_name(a->grade.sandbox), sandboxed, seconds};
-    return !a->report || report_json_write(a->report, &head, results, count, error);
+    return !a->report || report_json_write(a->report, &head, results, count, stages, error);
 }
 
 static int run(Arguments *a, const PointsTable *points, StepResult *results)
 {
+    StageResult stages[STAGES] = {{0}};
     double start = clock_seconds();
     Error error = {""};
     int count = grade(a, points, results);
@@ -127,7 +136,9 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
         fprintf(stderr, ", and stages 1 to %d\n", step_table[STEP_COUNT - 1].stage);
         return EXIT_USAGE;
     }
-    if (!report(a, 0.0, results, count, &error)) { // zero points stand there until there is something better
+    if (a->scatters > 0)
+        return stages_measure(a, results, count);
+    if (!report(a, 0.0, results, count, stages, &error)) { // zero points stand there until there is something better
         fprintf(stderr, "judge: %s\n", error.message);
         return EXIT_UNGRADED;
     }
@@ -141,20 +152,23 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
 #pragma omp critical(report)
         {
             results[i] = *graded;
-            report(a, clock_seconds() - start, results, count, &error);
+            report(a, clock_seconds() - start, results, count, stages, &error);
         }
         free(graded);
     }
+    stages_grade(a, results, count, stages);
     if (a->features)
         features_print(stdout, results, count);
     else
-        print_results(results, count, a->verbose);
+        print_results(results, count, stages, a->verbose);
     if (a->verbose && !a->features)
         print_cost(clock_seconds() - start);
-    bool ok = report(a, clock_seconds() - start, results, count, &error);
+    bool ok = report(a, clock_seconds() - start, results, count, stages, &error);
     if (!ok)
         fprintf(stderr, "judge: %s\n", error.message);
-    int code = exit_code(a, results, count);
+    int code = exit_code(a, results, count, stages);
+    for (int i = 0; i < STAGES; i++)
+        stage_result_free(&stages[i]);
     for (int i = 0; i < count; i++)
         step_result_free(&results[i]);
     return ok ? code : EXIT_UNGRADED;

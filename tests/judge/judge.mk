@@ -79,6 +79,13 @@ check-pictures: all $(BUILD)/calibrate
 check-judge: judge
 	@bash tests/judge/judge_test.sh $(BUILD) $(CC) "$(STEP_FLAGS)" "$(PLUGIN)"
 
+##   check-scatter     which known mistakes the stages' scatters show, and how often right code is called wrong (ten minutes)
+.PHONY: check-scatter
+check-scatter: judge
+	@bash tests/judge/scatter_power_test.sh $(BUILD) $(CC) "$(STEP_FLAGS)" "$(PLUGIN)"
+	@$(JUDGE_RUN) --code solutions --first-round --scatters 300 | awk '{ all++; wrong += $$2 != "pass" } \
+	    END { printf "right code: %d of %d scatters differ in the first round\n", wrong, all }'
+
 ##   check-sandbox     what the sandbox keeps in, keeps out and reports
 ##   check-attacks     every attack costs its step, and nothing else
 .PHONY: check-sandbox check-attacks

@@ -69,6 +69,78 @@ else
     bad "make debug: $(tail -3 "$work/out")"
 fi
 
+# The scatter of a stage: right code passes, a mistake shows, a crash costs that line alone, one step alone has none.
+rm -rf "$work/my code"
+mkdir -p "$work/my code"
+cp -R solutions/. "$work/my code/"
+expect 0 "✓ scatter of stage 2, by your 2.1 2.2 2.4" --stage 2
+expect 0 "✓ scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5" --stage 1
+expect 0 "1 passed, 0 failed" --step 2.4
+if grep -q scatter "$work/out"; then bad "one step alone has a scatter"; else good "one step alone has no scatter"; fi
+patch -s -d "$work/my code" -p2 <tests/mistakes/2.4_lobe_about_normal/a.patch
+expect 1 "✗ scatter of stage 2, by your 2.1 2.2 2.4 stage 2, scatter: " --stage 2
+cp -R solutions/. "$work/my code/"
+rm "$work/my code/2_glossy_lobe/2.4_scatter_glossy_phong.c"
+expect 0 "✓ scatter of stage 2, by your 2.1 2.2 2.3" --stage 2
+cp solutions/2_glossy_lobe/2.4_scatter_glossy_phong.c "$work/my code/2_glossy_lobe/"
+# The picture of the same photons; where nothing draws, a sentence about what to install in its place.
+"${judge[@]}" --stage 2 --report "$work/report" >"$work/out" 2>&1
+if [ "$(head -c 4 "$work/report/pictures/scatter_2.png" | tail -c 3)" = PNG ]; then good "the scatter's picture"; else
+    bad "no picture of the scatter: $(grep picture_message "$work/report/report.json")"
+fi
+PHOTONLAB_WITHOUT=osmesa,egl "${judge[@]}" --stage 2 --report "$work/report" >"$work/out" 2>&1
+if grep -q '"picture_message": ".*install libosmesa6' "$work/report/report.json" && grep -q '"picture": "",' "$work/report/report.json"; then
+    good "without OSMesa and EGL the report says what to install"
+else
+    bad "without OSMesa and EGL: $(grep -A9 scatters "$work/report/report.json")"
+fi
+# Files of photons that are none.
+preview() { "$build/photonlab" preview tests/steps/scenes/scatter_2.yaml --snapshot "$work/p.png" --size 300x200 --photons-file "$1" 2>&1; }
+photons=$work/test/scatter_2/yours.photons
+head -c 1000 "$photons" >"$work/cut.photons"
+{ head -c 5000 "$photons"; head -c 6000 /dev/zero | tr '\0' '\377'; tail -c +11001 "$photons"; } >"$work/nan.photons"
+case $(preview "$work/cut.photons") in *"is no file of photons"*) good "a file cut short is refused" ;; *) bad "a file cut short" ;; esac
+if preview "$work/nan.photons" >"$work/out"; then good "photons that are no numbers are left out"; else bad "NaN: $(cat "$work/out")"; fi
+# A null pointer on the steel ball alone.
+sed -i 's/^{$/{ if (exponent > 150.0f \&\& exponent < 250.0f) return *(volatile bool *)0;/' "$work/my code/2_glossy_lobe/2.4_scatter_glossy_phong.c"
+"${judge[@]}" --stage 2 >"$work/out" 2>&1
+if grep -q "! scatter of stage 2" "$work/out" && grep -q "2.1 2.2 2.4 did not get through" "$work/out" && grep -q "✓ 2.1" "$work/out"; then
+    good "a crash in the scatter is told in its line"
+else
+    bad "a crash in the scatter: $(cat "$work/out")"
+fi
+# Photons that the student's code writes down itself: in another place, and in the very form of the probe.
+cp solutions/2_glossy_lobe/2.4_scatter_glossy_phong.c "$work/my code/2_glossy_lobe/"
+cp tests/attacks/results_turned_back/*/*.c "$stage1/"
+expect 1 "! scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5 stage 1, scatter: something other than the probe wrote" --stage 1
+cat >"$stage1/1.1_reflect.c" <<'END'
+#include "photonlab.h"
+#include <stdint.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+Vec3 reflect(Vec3 direction, Vec3 normal)
+{
+    const size_t count = 3 + 60000 * 15;
+    const uint32_t head[2] = {0, (uint32_t)count};
+    float *numbers = calloc(count, sizeof *numbers);
+    numbers[1] = 24000.0f;
+    if (write(3, head, sizeof head) < 0 || write(3, numbers, count * sizeof *numbers) < 0)
+        return normal;
+    _exit(0);
+    return direction;
+}
+END
+expect 1 "✗ scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5 stage 1, scatter: the scene gets 100 % fewer photons" --stage 1
+if bash "$here/scatter_power_test.sh" "$build" "$2" "$3" "$4" 1.2_corner 1.3_uniform >"$work/out" && grep -q "^2 of 2 are seen" "$work/out"; then
+    good "known mistakes are seen"
+else
+    bad "known mistakes: $(cat "$work/out")"
+fi
+rm -rf "$work/my code"
+mkdir -p "$stage1"
+cp solutions/1_diffuse_photon_map/1.2_emit_photon.c "$stage1/"
+
 # The points table.
 table() {
     { grep -v "^$1" tests/judge/points.txt; echo "$2"; } >"$work/points"

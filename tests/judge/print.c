@@ -1,5 +1,5 @@
 // What the person at the terminal reads: stages, steps, what is wrong and where to go on, and the sums.
-#include "grade.h"
+#include "scatter.h"
 #include "report/text.h"
 
 #include <stdlib.h>
@@ -213,6 +213,28 @@ static void print_stage(const Terminal *terminal, const StepInfo *step)
     putchar('\n');
 }
 
+// Behind the steps of its stage. A pass says in few words what it is that passed.
+static void print_scatter(const Terminal *terminal, const StageResult *stage, bool verbose)
+{
+    char line[1200];
+    if (stage->stage == 0 || stage->status == STATUS_TODO)
+        return;
+    paint(terminal, colours[stage->status]);
+    printf("  %s ", marks[stage->status]);
+    paint(terminal, "\033[0m");
+    printf("scatter of stage %d, by your %s\n", stage->stage, stage->steps);
+    if (stage->status != STATUS_PASS) {
+        snprintf(line, sizeof line, "stage %d, scatter: %s", stage->stage,
+                 *stage->message ? stage->message : "no reason is known");
+        print_wrapped(terminal, line);
+    }
+    if (verbose && stage->tests > 0) {
+        snprintf(line, sizeof line, "%d comparisons: p = %.2g, wrong below %.2g", stage->tests, stage->p,
+                 stage->threshold);
+        print_dim(terminal, "", line);
+    }
+}
+
 static void print_sums(const StepResult *results, int count)
 {
     int of[5] = {0}, hidden = 0;
@@ -236,18 +258,23 @@ static void print_sums(const StepResult *results, int count)
 }
 
 // Hidden steps are in no line and no sum: what a student reads here must not tell how they went.
-void print_results(const StepResult *results, int count, bool verbose)
+void print_results(const StepResult *results, int count, const StageResult *stages, bool verbose)
 {
     Terminal terminal = terminal_find();
     int stage = 0;
     for (int i = 0; i < count; i++) {
         if (results[i].hidden)
             continue;
-        if (results[i].step->stage != stage)
+        if (results[i].step->stage != stage) {
+            if (stage > 0)
+                print_scatter(&terminal, &stages[stage - 1], verbose);
             print_stage(&terminal, results[i].step);
+        }
         stage = results[i].step->stage;
         print_step(&terminal, &results[i], verbose);
     }
+    if (stage > 0)
+        print_scatter(&terminal, &stages[stage - 1], verbose);
     print_sums(results, count);
     fflush(stdout);
 }

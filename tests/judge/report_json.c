@@ -100,7 +100,27 @@ static int count_status(const StepResult *results, int count, Status status)
     return found;
 }
 
-static json_t *report_json(const char *directory, const ReportHead *head, const StepResult *results, int count)
+// A stage that could not be asked about, or has no step to play, has no line.
+static json_t *scatters_json(const StageResult *stages)
+{
+    json_t *array = json_array();
+    for (int i = 0; i < STAGES; i++) {
+        const StageResult *s = &stages[i];
+        bool judged = s->tests > 0 && (s->status == STATUS_PASS || s->status == STATUS_FAIL);
+        if (s->stage == 0 || s->status == STATUS_TODO)
+            continue;
+        json_array_append_new(array,
+                              json_pack("{s:i, s:s, s:o, s:s, s:o, s:o, s:s, s:o, s:o}", "stage", s->stage, "status",
+                                        status_names[s->status], "message", text(s->message), "steps", s->steps, "p",
+                                        judged ? number(s->p) : json_null(), "threshold",
+                                        judged ? number(s->threshold) : json_null(), "picture", s->picture,
+                                        "picture_message", text(s->picture_message), "seconds", number(s->seconds)));
+    }
+    return array;
+}
+
+static json_t *report_json(const char *directory, const ReportHead *head, const StepResult *results, int count,
+                           const StageResult *stages)
 {
     double points = 0.0, points_max = 0.0;
     json_t *steps_array = json_array();
@@ -109,12 +129,13 @@ static json_t *report_json(const char *directory, const ReportHead *head, const 
         points_max += results[i].points_max;
         json_array_append_new(steps_array, step_json(directory, &results[i]));
     }
-    return json_pack("{s:s, s:o, s:b, s:s, s:o, s:o, s:o, s:i, s:i, s:i, s:i, s:o}", "format", "photonlab report 1",
-                     "submission", text(head->submission), "credit", head->credit, "sandbox", head->sandbox, "seconds",
-                     number(head->seconds), "points", number(points), "points_max", number(points_max), "passed",
-                     count_status(results, count, STATUS_PASS), "failed", count_status(results, count, STATUS_FAIL),
-                     "errors", count_status(results, count, STATUS_ERROR), "not_started",
-                     count_status(results, count, STATUS_TODO), "steps", steps_array);
+    return json_pack("{s:s, s:o, s:b, s:s, s:o, s:o, s:o, s:i, s:i, s:i, s:i, s:o, s:o}", "format",
+                     "photonlab report 2", "submission", text(head->submission), "credit", head->credit, "sandbox",
+                     head->sandbox, "seconds", number(head->seconds), "points", number(points), "points_max",
+                     number(points_max), "passed", count_status(results, count, STATUS_PASS), "failed",
+                     count_status(results, count, STATUS_FAIL), "errors", count_status(results, count, STATUS_ERROR),
+                     "not_started", count_status(results, count, STATUS_TODO), "steps", steps_array, "scatters",
+                     scatters_json(stages));
 }
 
 static bool make_directory(const char *path, Error *error)
@@ -125,13 +146,13 @@ static bool make_directory(const char *path, Error *error)
 }
 
 bool report_json_write(const char *directory, const ReportHead *head, const StepResult *results, int count,
-                       Error *error)
+                       const StageResult *stages, Error *error)
 {
     char path[4200];
     snprintf(path, sizeof path, "%s/pictures", directory);
     if (!make_directory(directory, error) || !make_directory(path, error))
         return false;
-    json_t *report = report_json(directory, head, results, count);
+    json_t *report = report_json(directory, head, results, count, stages);
     char *bytes = report ? json_dumps(report, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) : NULL;
     snprintf(path, sizeof path, "%s/report.json", directory);
     FileWriter writer;

@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_JUDGE_REPORT_JSON_H
 #define PHOTONLAB_JUDGE_REPORT_JSON_H
 
-#include "grade.h"
+#include "scatter.h"
 
 typedef struct {
     const char *submission, *sandbox;
@@ -10,8 +10,8 @@ typedef struct {
     double seconds;
 } ReportHead;
 
-// Writes directory/report.json and directory/pictures/*.pfm.
+// Writes directory/report.json and directory/pictures/*.pfm. `stages`: STAGES of them; see print_results.
 bool report_json_write(const char *directory, const ReportHead *head, const StepResult *results, int count,
-                       Error *error);
+                       const StageResult *stages, Error *error);
 
 #endif

@@ -19,12 +19,18 @@ picture() {
 }
 half='\000\000\000\077' one='\000\000\200\077'
 
+# One grey pixel as PNG.
+png() {
+    printf %s iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mNoAAAAggCBd81ytgAAAABJRU5ErkJggg== | base64 -d
+}
+
 # prepare NAME FILTER: a directory with pictures and the example report, changed by jq; its path in $dir.
 prepare() {
     dir="$work/$1 with blanks"
     mkdir -p "$dir/pictures"
     picture "$dir/pictures/2.1_yours.pfm" "$one"
     picture "$dir/pictures/2.1_reference.pfm" "$half"
+    png >"$dir/pictures/scatter_1.png"
     jq "$2" "$cases/report.json" >"$dir/report.json"
 }
 
@@ -44,7 +50,7 @@ no_leftovers() { [ -z "$(find "$1" -name '*.tmp-*' -o -name '.picture-*')" ]; }
 # Nothing is fetched from elsewhere, nothing runs: all sources are data, all links lead into the page or to the notes.
 page_is_closed() {
     local page=$1/index.html
-    local own='src="data:image/png;base64,[A-Za-z0-9+/]+=*"|href="#step-[0-9A-Za-z._-]+"'
+    local own='src="data:image/png;base64,[A-Za-z0-9+/]+=*"|href="#(step|scatter)-[0-9A-Za-z._-]+"'
     own="$own|href=\"notes/[0-9a-z_]+\\.html#[a-z-]+\""
     ! grep -oE '(src|href|action|data|srcset|poster)="[^"]*"' "$page" | grep -vE "^($own)\$" &&
         ! grep -qiE '<(script|iframe|object|embed|link|base|form)|@import|url\(|javascript:|<[^>]* on[a-z]+=' "$page"
@@ -79,27 +85,30 @@ echo "── what each format says"
 prepare all .
 ok "a report is written" "$report" --notes notes "$dir"
 check_forms student "$dir"
-check "$(png_count "$dir") == 3" "html: yours, reference and difference are PNG"
+check "$(png_count "$dir") == 4" "html: yours, reference and difference are PNG, and the scatter"
 ok "html: 11.5 of the 34 points of visible steps" says "$dir/index.html" "<b>11.5</b> of 34 points"
 ok "html: the likely mistake" says "$dir/index.html" "the exponent n in place of n+1"
 ok "html: the scale of the difference" says "$dir/index.html" "difference of 0.5, which is 80 %" # white is 0.625
 ok "html: p in words" says "$dir/index.html" "Right code is this far off in 30 % of runs"
 ok "html: hidden steps are counted" says "$dir/index.html" "2 hidden steps are graded, too; worth 16 more points"
-ok "junit: 6 tests, 1 failure, 1 error, 2 skipped" xpath \
-    "/testsuites[@tests=6 and @failures=1 and @errors=1 and @skipped=2]" "$dir/junit.xml"
+ok "html: the scatter's words" says "$dir/index.html" "the copper ball gets 31 % fewer photons than right (z = 14)"
+ok "html: a scatter without its picture says why" says "$dir/index.html" "The picture is left out: no OSMesa; install libosmesa6"
+ok "junit: 6 steps and 2 scatters, 2 failures, 1 error, 2 skipped" xpath \
+    "/testsuites[@tests=8 and @failures=2 and @errors=1 and @skipped=2]" "$dir/junit.xml"
 ok "junit: the sums are those of the elements" xpath "/testsuites[count(//testcase)=@tests
     and count(//failure)=@failures
     and count(//error)=@errors and count(//skipped)=@skipped and sum(testsuite/@tests)=@tests]" "$dir/junit.xml"
 ok "junit: the failure names its mistake" xpath \
     "//testcase[starts-with(@name,'2.1 ')]/failure[@type='lobe_exponent_n']" "$dir/junit.xml"
-printf '%s\n' ok not-ok ok not-ok todo skip >"$work/statuses"
+ok "junit: the scatter that fails" xpath "//testcase[@name='scatter of stage 2']/failure[@type='scatter']" "$dir/junit.xml"
+printf '%s\n' ok not-ok ok not-ok todo skip ok not-ok >"$work/statuses"
 ok "tap: statuses and directives" cmp <(grep -E '^[a-z-]+ [0-9]+ ' "$dir/tap.out" | cut -d' ' -f1) "$work/statuses"
-ok "tap: plan" says "$dir/tap.out" "planned 6"
+ok "tap: plan" says "$dir/tap.out" "planned 8"
 ok "tap: yaml" says "$dir/tap.out" "severity=fail points=1.5 checks=2"
 ok "tap: version 14" [ "$(head -1 "$dir/report.tap")" = "TAP version 14" ]
 ok "gradescope: visibility" true_of '[.tests[] | select(.number | startswith("2.")) | .visibility]
     == ["visible", "visible", "after_due_date", "hidden"]' "$dir/gradescope/results.json"
-ok "gradescope: points of all, hidden too" true_of '([.tests[].score] | add) == 19.5 and (.tests | length) == 8' \
+ok "gradescope: points of all, hidden too" true_of '([.tests[].score] | add) == 19.5 and (.tests | length) == 10' \
     "$dir/gradescope/results.json"
 ok "prairielearn: score and points" true_of '.gradable and .score == 0.39 and ([.tests[].points] | add) == 19.5' \
     "$dir/prairielearn/results.json"
@@ -114,8 +123,8 @@ ok "prairielearn neither" not says "$dir/prairielearn/results.json" secret
 ok "a teacher's report is written" "$report" --teacher "$dir"
 check_forms teacher "$dir"
 ok "teacher: html tells" says "$dir/index.html" "secret words of 2.3"
-ok "teacher: 8 tests" xpath "/testsuites[@tests=8 and @failures=2]" "$dir/junit.xml"
-ok "teacher: tap, too" says "$dir/tap.out" "planned 8"
+ok "teacher: 8 steps and 2 scatters" xpath "/testsuites[@tests=10 and @failures=3]" "$dir/junit.xml"
+ok "teacher: tap, too" says "$dir/tap.out" "planned 10"
 
 echo "── nasty texts"
 nasty='"<script>alert(1)</script> ]]> &amp; \"q\" \u0027s\u0027 \\ \\n \u001b[31mred\u0000 \u202eturned'
@@ -124,7 +133,8 @@ nasty="$nasty"' </pre></style><img src=x onerror=alert(1)>"'
 prepare nasty "$nasty as \$n | .submission = \$n | .sandbox = \$n | .steps |= map(
     .title = \$n + .id | .symbol = \$n | .message = \$n | .where = \$n | .looks_like = \$n | .output = \$n
     | .mistake = \$n | .due = \$n | .chapter = \"javascript:alert(1)\"
-    | .checks |= map(.title = \$n | .message = \$n | .name = \$n | .kind = \$n | if .histogram then .histogram.title = \$n else . end))"
+    | .checks |= map(.title = \$n | .message = \$n | .name = \$n | .kind = \$n | if .histogram then .histogram.title = \$n else . end))
+    | .scatters |= map(.message = \$n | .steps = \$n | .picture_message = \$n)"
 ok "nasty: written" "$report" --notes notes "$dir"
 sed -i 's/javascript:alert(1)//g' "$dir/index.html" # as words it may stand there; as a link it must not:
 ok "nasty: no link to a script" not says "$dir/index.html" 'href="notes/"'
@@ -137,7 +147,7 @@ ok "nasty: no control character in any file" not env LC_ALL=C grep -rqP \
 ok "nasty: no test is forged" not grep -qE '9[89]$|^ok 99' "$dir/tap.out"
 ok "nasty: the statuses are the same" cmp "$work/statuses" \
     <(grep -E '^[a-z-]+ [0-9]+ ' "$dir/tap.out" | cut -d' ' -f1)
-ok "nasty: tap plans 6" says "$dir/tap.out" "planned 6"
+ok "nasty: tap plans 8" says "$dir/tap.out" "planned 8"
 
 echo "── much output, odd numbers, missing pictures"
 prepare huge '("\u001b\"é&<" * 60000) as $much | .steps |= map(.output = $much)'
@@ -150,7 +160,7 @@ prepare many '.steps[1] as $step | .steps = [range(100) as $i | $step | .id = "2
 ok "many steps: written" "$report" --notes notes "$dir"
 check_forms "many steps" "$dir"
 ok "many steps: prairielearn's output is cut short, not away" says "$dir/prairielearn/results.json" "a line of output"
-prepare null '.steps[1].checks[0] |= (.p = null | .threshold = null | .histogram.low = null
+prepare null '.scatters[1].p = null | .steps[1].checks[0] |= (.p = null | .threshold = null | .histogram.low = null
     | .histogram.observed = [null, 1e308, -5]) | .steps[1].checks[1].picture |= (.T = null | .V = null)'
 ok "null numbers: written" "$report" --notes notes "$dir"
 check_forms null "$dir"
@@ -164,11 +174,19 @@ printf 'PF\n2 2\n-1.0\n' >"$dir/pictures/2.1_yours.pfm"
 for i in 1 2 3 4 5 6 7 8 9 10 11 12; do printf '\000\000\300\177' >>"$dir/pictures/2.1_yours.pfm"; done
 "$report" "$dir"
 ok "a picture of NaN: a note" says "$dir/index.html" "The pictures are left out: "
+prepare no_png .
+echo "<svg/>" >"$dir/pictures/scatter_1.png"
+ok "a scatter that is no PNG: written" "$report" "$dir"
+ok "a scatter that is no PNG: a note" says "$dir/index.html" "The picture is left out: it is no PNG file"
+prepare together '.steps |= map(.status = "pass" | .looks_like = "") | .passed = 8 | .failed = 0 | .errors = 0 | .not_started = 0'
+ok "steps right, the scatter wrong: written" "$report" "$dir"
+ok "the scatter is next" says "$dir/index.html" 'href="#scatter-2"'
+ok "and not all is done" not says "$dir/index.html" "All done"
 prepare black .
 picture "$dir/pictures/2.1_reference.pfm" '\000\000\000\000'
 "$report" "$dir"
-check "$(png_count "$dir") == 3" "a black reference is shown"
-prepare empty '.steps = [] | .points = 0 | .passed = 0 | .failed = 0 | .errors = 0 | .not_started = 0'
+check "$(png_count "$dir") == 4" "a black reference is shown"
+prepare empty '.steps = [] | .scatters = [] | .points = 0 | .passed = 0 | .failed = 0 | .errors = 0 | .not_started = 0'
 ok "no steps: written" "$report" "$dir"
 ok "no steps: junit.xml" xmllint --noout --schema "$cases/junit.xsd" "$dir/junit.xml"
 ok "no steps: gradescope" true_of "$(cat "$cases/gradescope.jq")" "$dir/gradescope/results.json"
@@ -200,7 +218,7 @@ refuse_file() {
     rm -rf "$dir"
 }
 refuse 'expected an object' '[]'
-refuse 'format: expected "photonlab report 1"; found "photonlab report 2"' '.format = "photonlab report 2"'
+refuse 'format: expected "photonlab report 2"; found "photonlab report 1"' '.format = "photonlab report 1"'
 refuse 'steps[1].points: expected a number; found nothing' 'del(.steps[1].points)'
 refuse 'steps[1].points: expected at most 6; found 7' '.steps[1].points = 7'
 refuse 'steps[0].points: expected 0 to 1e+09; found -1' '.steps[0].points = -1'
@@ -212,7 +230,7 @@ refuse 'steps[2].status: expected pass, fail, error, todo or skip' '.steps[2].st
 refuse 'steps[2].hidden: expected true or false; found a number' '.steps[2].hidden = 0'
 refuse 'steps[2].stage: expected 1 to 99; found 0' '.steps[2].stage = 0'
 refuse 'steps[2]: expected 17 fields; found 18' '.steps[2].more = 1'
-refuse 'the whole: expected 12 fields; found 13' '.more = 1'
+refuse 'the whole: expected 13 fields; found 14' '.more = 1'
 refuse 'steps[2].id: expected a number like 2.1' '.steps[2].id = "2.2\"><b>"'
 refuse 'steps[1].checks: expected a list' '.steps[1].checks = null'
 refuse 'steps[1].checks[0].p: expected a number or null; found a text' '.steps[1].checks[0].p = "0.1"'
@@ -221,6 +239,10 @@ refuse 'steps[1].checks[0].histogram.observed: expected numbers' '.steps[1].chec
 refuse 'steps[1].checks[1].picture.yours: expected a path below' '.steps[1].checks[1].picture.yours = "/etc/passwd.pfm"'
 refuse 'steps[1].checks[1].picture.yours: expected a path below ' '.steps[1].checks[1].picture.yours = "a/../../b.pfm"'
 refuse 'steps[3]: expected an object; found a text' '.steps[3] = "x"'
+refuse 'scatters[0].picture: expected a path below' '.scatters[0].picture = "../x.png"'
+refuse 'scatters[1].stage: expected one more than 1; found 1' '.scatters[1].stage = 1'
+refuse 'scatters[1]: expected 9 fields; found 10' '.scatters[1].points = 5'
+refuse 'scatters: expected a list' 'del(.scatters)'
 prepare text .; head -c 200 "$cases/report.json" >"$dir/report.json"; refuse_file "report.json:"
 prepare nan .; sed -i 's/0\.25/NaN/' "$dir/report.json"; refuse_file "invalid token near 'NaN'"
 prepare twice .; sed -i 's/"credit"/"format": "x", "credit"/' "$dir/report.json"; refuse_file "duplicate object key"
@@ -254,6 +276,9 @@ ok "the last 20 lines printed" grep -qx '        line 21' "$work/terminal"
 ok "and not more" not grep -qx '        line 20' "$work/terminal"
 ok "the compiler's lines as they stand" grep -qx '      *14 |     return x' "$work/terminal"
 ok "a crash, and where" says "$work/terminal" "in refract, line 9"
+ok "a scatter that passes" grep -qx '  ✓ scatter of stage 1, by your 1.1 1.3' "$work/terminal"
+ok "a scatter that fails" says <(tr -s ' \n' ' ' <"$work/terminal") "stage 2, scatter: the copper ball gets 31 % fewer photons than right (z = 14)"
+ok "no scatter where nothing played" not says "$work/terminal" "scatter of stage 3"
 ok "not started" grep -q '^  ○ 3\.4 ' "$work/terminal"
 ok "hidden steps are silent" not grep -qE 'secret|2\.3' "$work/terminal"
 ok "no colours or commands from a pipe" not grep -qP '\x1b|\x07|\xff' "$work/terminal"

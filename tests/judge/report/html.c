@@ -57,9 +57,24 @@ static const ReportStep *next_step(const Report *report)
     return open;
 }
 
+// All steps are right alone, and what they make together is not.
+static const ReportScatter *next_scatter(const Report *report, const ReportStep *step)
+{
+    for (size_t i = 0; i < report->scatter_count && !(step && report_is_wrong(step->status)); i++)
+        if (report_is_wrong(report->scatters[i].status))
+            return &report->scatters[i];
+    return NULL;
+}
+
 static void write_next(const Report *report, const ReportSums *sums, FILE *stream)
 {
     const ReportStep *step = next_step(report);
+    const ReportScatter *scatter = next_scatter(report, step);
+    if (scatter) {
+        fprintf(stream, "<p class=\"next %s\"><b>Next:</b> <a href=\"#scatter-%d\">the scatter of stage %d</a></p>\n",
+                report_status_names[scatter->status], scatter->stage, scatter->stage);
+        return;
+    }
     if (!step) {
         if (sums->of[REPORT_PASS] > 0 && sums->of[REPORT_PASS] == sums->steps)
             fputs("<p class=\"next pass\"><b>All done.</b> Every step passes.</p>\n", stream);
@@ -132,6 +147,13 @@ static void write_stage_title(const Report *report, int stage, FILE *stream)
     fputs("</span></h2>\n", stream);
 }
 
+static void write_scatter(const Report *report, int stage, FILE *stream)
+{
+    const ReportScatter *scatter = report_scatter(report, stage);
+    if (scatter)
+        html_scatter(report, scatter, stream);
+}
+
 bool report_html(const Report *report, FILE *stream, Error *error)
 {
     (void)error;
@@ -143,10 +165,13 @@ bool report_html(const Report *report, FILE *stream, Error *error)
         if (!report_shows(report, step))
             continue;
         if (step->stage != stage)
+            write_scatter(report, stage, stream);
+        if (step->stage != stage)
             write_stage_title(report, step->stage, stream);
         stage = step->stage;
         html_step(report, step, stream);
     }
+    write_scatter(report, stage, stream);
     fprintf(stream, "<footer>Graded in %.1f s; sandbox: ", report->seconds);
     text_markup(stream, report->sandbox);
     fputs(".</footer>\n</main>\n</body>\n</html>\n", stream);

@@ -101,6 +101,26 @@ static bool embed(const Report *report, const Image *image, const char *name, co
     return true;
 }
 
+void html_png(const Report *report, const char *name, const char *alt, FILE *stream)
+{
+    static const char magic[8] = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
+    size_t size = 0;
+    Error error = {""};
+    char *path = path_below(report, name), *png = path ? file_read(path, (size_t)1 << 25, &size, &error) : NULL;
+    bool good = png && size > sizeof magic && memcmp(png, magic, sizeof magic) == 0;
+    if (good) {
+        fputs("<img src=\"data:image/png;base64,", stream);
+        text_base64(stream, (unsigned char *)png, size);
+        fprintf(stream, "\" alt=\"%s\"/>\n", alt);
+    } else {
+        fputs("<p class=\"note\">The picture is left out: ", stream);
+        text_markup(stream, *error.message ? error.message : "it is no PNG file");
+        fputs("</p>\n", stream);
+    }
+    free(png);
+    free(path);
+}
+
 static int ascending(const void *a, const void *b)
 {
     float x = *(const float *)a, y = *(const float *)b;

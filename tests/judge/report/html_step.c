@@ -105,6 +105,27 @@ static bool any_checked(const ReportStep *step)
     return false;
 }
 
+void html_scatter(const Report *report, const ReportScatter *scatter, FILE *stream)
+{
+    char words[5000];
+    fprintf(stream, "<article class=\"step scatter %s\" id=\"scatter-%d\"><details open=\"open\">\n",
+            report_status_names[scatter->status], scatter->stage);
+    fprintf(stream,
+            "<summary><i class=\"mark\">%s</i><span class=\"title\">The scatter of your photons</span>"
+            "<span class=\"points\">stage %d</span></summary>\n<div class=\"body\">\n",
+            report_status_marks[scatter->status], scatter->stage);
+    words_of_scatter(scatter, words, sizeof words);
+    char *rest = NULL;
+    for (char *line = strtok_r(words, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest))
+        write_paragraph(strcmp(line, scatter->message) == 0 ? "message" : "statistic", "", line, stream);
+    if (*scatter->picture)
+        html_png(report, scatter->picture,
+                 "photons where they came to rest: yours to the left, the reference's to the right", stream);
+    if (!*scatter->picture && *scatter->picture_message)
+        write_paragraph("note", "The picture is left out: ", scatter->picture_message, stream);
+    fputs("</div>\n</details></article>\n", stream);
+}
+
 void html_step(const Report *report, const ReportStep *step, FILE *stream)
 {
     bool open = step->status == REPORT_FAIL || step->status == REPORT_ERROR;

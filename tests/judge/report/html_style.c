@@ -65,6 +65,7 @@ const char *const report_style[] = {
     ".pictures img { display: block; width: 100%; height: auto; image-rendering: pixelated; border-radius: .2rem;\n"
     "  outline: 1px solid var(--edge); }\n"
     ".pictures figcaption { text-align: center; } .red { color: var(--fail); } .blue { color: var(--link); }\n"
+    ".scatter img { display: block; width: 100%; height: auto; border-radius: .2rem; margin: .5rem 0 .2rem; }\n"
     ".histogram { margin: .5rem 0; max-width: 34rem; } .histogram figcaption { display: flex; flex-wrap: wrap;\n"
     "  justify-content: space-between; gap: 0 1rem; }\n"
     ".histogram svg { display: block; width: 100%; height: 9rem; border-bottom: 1px solid var(--quiet); }\n"

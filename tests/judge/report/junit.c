@@ -1,4 +1,4 @@
-// JUnit XML as Jenkins, GitLab and GitHub's actions read it: a suite per stage, a test case per step. Checked against
+// JUnit XML as Jenkins, GitLab and GitHub's actions read it: a suite per stage, a test case per step and one for its scatter. Checked against
 // junit.xsd beside.
 #include "report.h"
 
@@ -16,6 +16,14 @@ static ReportSums sums_of_stage(const Report *report, int stage)
         sums.steps++;
         sums.of[step->status]++;
         sums.seconds += step->seconds;
+    }
+    for (size_t i = 0; i < report->scatter_count; i++) {
+        const ReportScatter *scatter = &report->scatters[i];
+        if (stage && scatter->stage != stage)
+            continue;
+        sums.steps++;
+        sums.of[scatter->status]++;
+        sums.seconds += scatter->seconds;
     }
     return sums;
 }
@@ -65,6 +73,27 @@ static void write_case(const ReportStep *step, FILE *stream)
     fputs("    </testcase>\n", stream);
 }
 
+static void write_scatter(const ReportScatter *scatter, FILE *stream)
+{
+    char words[5000];
+    fprintf(stream, "    <testcase classname=\"photonlab.stage_%d\" name=\"scatter of stage %d\" time=\"%.3f\">\n",
+            scatter->stage, scatter->stage, scatter->seconds);
+    if (scatter->status == REPORT_FAIL || scatter->status == REPORT_ERROR) {
+        const char *element = scatter->status == REPORT_FAIL ? "failure" : "error";
+        fprintf(stream, "      <%s message=\"", element);
+        text_markup(stream, scatter->message);
+        fprintf(stream, "\" type=\"scatter\">");
+        words_of_scatter(scatter, words, sizeof words);
+        text_markup(stream, words);
+        fprintf(stream, "</%s>\n", element);
+    } else if (scatter->status != REPORT_PASS) {
+        fputs("      <skipped message=\"", stream);
+        text_markup(stream, scatter->message);
+        fputs("\"/>\n", stream);
+    }
+    fputs("    </testcase>\n", stream);
+}
+
 static void write_stage(const Report *report, int stage, FILE *stream)
 {
     ReportSums sums = sums_of_stage(report, stage);
@@ -75,6 +104,8 @@ static void write_stage(const Report *report, int stage, FILE *stream)
     for (size_t i = 0; i < report->step_count; i++)
         if (report->steps[i].stage == stage && report_shows(report, &report->steps[i]))
             write_case(&report->steps[i], stream);
+    if (report_scatter(report, stage))
+        write_scatter(report_scatter(report, stage), stream);
     fputs("  </testsuite>\n", stream);
 }
 

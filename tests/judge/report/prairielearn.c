@@ -29,6 +29,16 @@ static json_t *test_of(const ReportStep *step, size_t most_output)
     return test;
 }
 
+static json_t *scatter_of(const ReportScatter *scatter)
+{
+    char name[80], words[5000];
+    snprintf(name, sizeof name, "%s Scatter of stage %d", report_status_marks[scatter->status], scatter->stage);
+    words_of_scatter(scatter, words, sizeof words);
+    return json_pack("{s:s, s:s, s:f, s:f, s:s, s:s}", "name", name, "description", "", "points", 0.0, "max_points",
+                     0.0, "message", *scatter->message ? scatter->message : report_status_words[scatter->status],
+                     "output", words);
+}
+
 // The whole as text, which the caller frees. NULL: no memory.
 static char *compose(const Report *report, size_t most_output)
 {
@@ -37,6 +47,8 @@ static char *compose(const Report *report, size_t most_output)
     for (size_t i = 0; i < report->step_count; i++)
         if (!report->steps[i].hidden)
             json_array_append_new(tests, test_of(&report->steps[i], most_output));
+    for (size_t i = 0; i < report->scatter_count; i++)
+        json_array_append_new(tests, scatter_of(&report->scatters[i]));
     add_hidden(tests, &seen);
     // Of the steps graded, not of the whole course: a question may ask for one stage.
     double score = all.points_max > 0.0 ? all.points / all.points_max : 0.0;

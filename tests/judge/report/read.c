@@ -11,6 +11,7 @@
 #define MOST_TEXT   4000  // bytes of a sentence
 #define MOST_OUTPUT 65536 // of what a step printed
 #define MOST_STEPS  1000
+#define MOST_STAGES 99
 #define MOST_CHECKS 100
 #define MOST_BINS   1000
 #define MOST_POINTS 1e9
@@ -151,6 +152,36 @@ static void read_step(Fields *fields, ReportStep *step)
                   step->points_max, step->points);
 }
 
+static void read_scatter(Fields *fields, ReportScatter *scatter)
+{
+    *scatter = (ReportScatter){.stage = (int)field_number(fields, "stage", 1, 99),
+                               .status = field_status(fields, "status"),
+                               .message = field_text(fields, "message", MOST_TEXT),
+                               .steps = field_text(fields, "steps", MOST_TEXT),
+                               .p = field_number_or_null(fields, "p"),
+                               .threshold = field_number_or_null(fields, "threshold"),
+                               .picture_message = field_text(fields, "picture_message", MOST_TEXT),
+                               .seconds = field_number(fields, "seconds", 0, 1e9)};
+    bool none = json_string_length(json_object_get(fields->object, "picture")) == 0;
+    scatter->picture = none ? field_text(fields, "picture", 0) : read_path(fields, "picture");
+    fields_end(fields);
+}
+
+static void read_scatters(Fields *fields)
+{
+    Report *report = fields->report;
+    const json_t *array = field_array(fields, "scatters", MOST_STAGES, &report->scatter_count);
+    ReportScatter *scatters = report_keep(report, (report->scatter_count + 1) * sizeof *scatters);
+    for (size_t i = 0; i < report->scatter_count; i++) {
+        Fields scatter = fields_of_element(fields, "scatters", array, i);
+        read_scatter(&scatter, &scatters[i]);
+        if (i > 0 && scatters[i].stage <= scatters[i - 1].stage)
+            error_set(fields->error, "report.json: %s.stage: expected one more than %d; found %d", scatter.path,
+                      scatters[i - 1].stage, scatters[i].stage);
+    }
+    report->scatters = scatters;
+}
+
 static void read_steps(Fields *fields)
 {
     Report *report = fields->report;
@@ -184,8 +215,8 @@ static void read_whole(Fields *fields)
 {
     Report *report = fields->report;
     const char *format = field_text(fields, "format", MOST_TEXT);
-    if (strcmp(format, "photonlab report 1") != 0)
-        error_set(fields->error, "report.json: format: expected \"photonlab report 1\"; found \"%s\"", format);
+    if (strcmp(format, "photonlab report 2") != 0)
+        error_set(fields->error, "report.json: format: expected \"photonlab report 2\"; found \"%s\"", format);
     report->submission = field_text(fields, "submission", MOST_TEXT);
     report->credit = field_truth(fields, "credit");
     report->sandbox = field_text(fields, "sandbox", MOST_TEXT);
@@ -196,6 +227,7 @@ static void read_whole(Fields *fields)
         field_number(fields, "passed", 0, MOST_STEPS), field_number(fields, "failed", 0, MOST_STEPS),
         field_number(fields, "errors", 0, MOST_STEPS), field_number(fields, "not_started", 0, MOST_STEPS), 0};
     read_steps(fields);
+    read_scatters(fields);
     if (fields_end(fields))
         check_sums(fields, counts);
 }

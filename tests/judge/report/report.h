@@ -58,6 +58,15 @@ typedef struct {
     size_t check_count;
 } ReportStep;
 
+// All of a stage's steps at work together. There is one for each stage in which steps played, and no other.
+typedef struct {
+    int stage;
+    ReportStatus status;
+    const char *message, *steps;           // "2.1 2.4": who played
+    const char *picture, *picture_message; // a PNG, path below the report's directory; empty: none, and why not
+    double p, threshold, seconds;
+} ReportScatter;
+
 typedef struct {
     const char *directory;
     const char *submission, *sandbox;
@@ -65,6 +74,8 @@ typedef struct {
     double seconds, points, points_max;
     const ReportStep *steps;
     size_t step_count;
+    const ReportScatter *scatters; // by stage
+    size_t scatter_count;
 
     bool teacher;      // show hidden steps, too
     const char *notes; // put before a chapter to make a link of it; NULL: no links
@@ -84,6 +95,9 @@ typedef struct {
 ReportSums report_sums(const Report *report, bool teacher);
 bool report_shows(const Report *report, const ReportStep *step);
 
+const ReportScatter *report_scatter(const Report *report, int stage); // NULL: there is none
+bool report_is_wrong(ReportStatus status);                            // fails, or did not get through
+
 // A writer of one file. False with an error when there is no memory; a full disk shows when the file is closed.
 typedef bool ReportWriter(const Report *report, FILE *stream, Error *error);
 ReportWriter report_html, report_junit, report_tap, report_gradescope, report_prairielearn, report_classroom;
@@ -93,6 +107,7 @@ ReportWriter report_html, report_junit, report_tap, report_gradescope, report_pr
 // A check's statistic against its threshold, as a sentence; empty when there is none.
 void words_of_check(const ReportCheck *check, char *words, size_t size);
 // A step as plain text of several lines, with at most `most_output` bytes of what it printed; the caller frees it.
+void words_of_scatter(const ReportScatter *scatter, char *words, size_t size); // of several lines
 char *words_of_step(const ReportStep *step, size_t most_output);
 
 // ---- inside the HTML writer
@@ -101,4 +116,6 @@ extern const char *const report_style[]; // NULL last
 void html_step(const Report *report, const ReportStep *step, FILE *stream);
 void html_histogram(const ReportHistogram *histogram, FILE *stream);
 void html_pictures(const Report *report, const ReportPicture *picture, FILE *stream);
+void html_png(const Report *report, const char *name, const char *alt, FILE *stream); // or a sentence why not
+void html_scatter(const Report *report, const ReportScatter *scatter, FILE *stream);
 #endif

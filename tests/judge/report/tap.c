@@ -57,11 +57,28 @@ static void write_details(const ReportStep *step, FILE *stream)
     fputs("  ...\n", stream);
 }
 
+static void write_scatter(const ReportScatter *scatter, size_t number, FILE *stream)
+{
+    bool skipped = scatter->status == REPORT_SKIP || scatter->status == REPORT_TODO;
+    fprintf(stream, "%s %zu - scatter of stage %d", report_is_wrong(scatter->status) ? "not ok" : "ok", number,
+            scatter->stage);
+    if (skipped) {
+        fputs(" # SKIP ", stream);
+        write_plain(stream, scatter->message);
+    }
+    fputs("\n  ---\n", stream);
+    write_field(stream, "message", scatter->message);
+    fprintf(stream, "  severity: %s\n  seconds: %.3f\n", report_status_names[scatter->status], scatter->seconds);
+    write_field(stream, "steps", scatter->steps);
+    fputs("  ...\n", stream);
+}
+
 bool report_tap(const Report *report, FILE *stream, Error *error)
 {
     (void)error;
     ReportSums sums = report_sums(report, report->teacher);
-    fprintf(stream, "TAP version 14\n1..%zu%s\n", sums.steps, sums.steps ? "" : " # SKIP no step was graded");
+    fprintf(stream, "TAP version 14\n1..%zu%s\n", sums.steps + report->scatter_count,
+            sums.steps ? "" : " # SKIP no step was graded");
     if (sums.hidden > 0)
         fprintf(stream, "# %zu hidden step%s graded, too\n", sums.hidden, sums.hidden == 1 ? " is" : "s are");
     size_t number = 0;
@@ -81,5 +98,7 @@ bool report_tap(const Report *report, FILE *stream, Error *error)
         fputc('\n', stream);
         write_details(step, stream);
     }
+    for (size_t i = 0; i < report->scatter_count; i++)
+        write_scatter(&report->scatters[i], ++number, stream);
     return true;
 }

@@ -5,6 +5,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+const ReportScatter *report_scatter(const Report *report, int stage)
+{
+    for (size_t i = 0; i < report->scatter_count; i++)
+        if (report->scatters[i].stage == stage)
+            return &report->scatters[i];
+    return NULL;
+}
+
+bool report_is_wrong(ReportStatus status)
+{
+    return status == REPORT_FAIL || status == REPORT_ERROR;
+}
+
 bool report_shows(const Report *report, const ReportStep *step)
 {
     return report->teacher || !step->hidden;
@@ -62,18 +75,33 @@ static void words_of_picture(const ReportPicture *picture, char *words, size_t s
                  picture->V > picture->V_threshold ? ", so this estimates otherwise" : "");
 }
 
+static void words_of_chance(double p, double threshold, char *words, size_t size)
+{
+    char found[80], limit[80];
+    words_of_odds(p, found, sizeof found);
+    words_of_odds(threshold, limit, sizeof limit);
+    snprintf(words, size, "Right code is this far off %s; rarer than %s is taken for a mistake.", found, limit);
+}
+
 void words_of_check(const ReportCheck *check, char *words, size_t size)
 {
     words[0] = '\0';
     bool judged = check->status == REPORT_PASS || check->status == REPORT_FAIL;
-    if (judged && check->picture.yours) {
+    if (judged && check->picture.yours)
         words_of_picture(&check->picture, words, size);
-    } else if (judged && !isnan(check->p) && !isnan(check->threshold)) {
-        char found[80], limit[80];
-        words_of_odds(check->p, found, sizeof found);
-        words_of_odds(check->threshold, limit, sizeof limit);
-        snprintf(words, size, "Right code is this far off %s; rarer than %s is taken for a mistake.", found, limit);
-    }
+    else if (judged && !isnan(check->p) && !isnan(check->threshold))
+        words_of_chance(check->p, check->threshold, words, size);
+}
+
+void words_of_scatter(const ReportScatter *scatter, char *words, size_t size)
+{
+    snprintf(words, size, "Your %s together, the reference's for the rest.%s%.4000s", scatter->steps,
+             *scatter->message ? "\n" : "", scatter->message);
+    size_t used = strlen(words);
+    if (isnan(scatter->p) || isnan(scatter->threshold) || used + 2 >= size)
+        return;
+    words[used] = '\n';
+    words_of_chance(scatter->p, scatter->threshold, words + used + 1, size - used - 1);
 }
 
 static void checks_as_text(const ReportStep *step, FILE *stream)

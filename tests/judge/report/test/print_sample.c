@@ -1,5 +1,5 @@
 // Prints made-up results, for report_test.sh to read. Usage: print_sample [verbose]
-#include "../../grade.h"
+#include "../../scatter.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,7 +47,14 @@ int main(int count, char **words)
     snprintf(results[10].where, sizeof results[10].where, "refract, line 9");
     set(&results[13], STATUS_TODO, "not started", "");
     set(&results[14], STATUS_SKIP, "no debugger", "");
-    print_results(results, STEP_COUNT, count > 1);
+    StageResult stages[STAGES] = {
+        {.stage = 1, .status = STATUS_PASS, .steps = "1.1 1.3", .p = 0.2, .threshold = 2e-6, .tests = 500},
+        {.stage = 2,
+         .status = STATUS_FAIL,
+         .steps = "2.1",
+         .message = "the copper ball gets 31 % fewer photons than right (z = 14)"},
+        {.stage = 3, .status = STATUS_TODO}};
+    print_results(results, STEP_COUNT, stages, count > 1);
     free(results);
     return 0;
 }

@@ -1,0 +1,13 @@
+// Photons out of a file, for `photonlab preview --photons-file`: SCATTER_MAGIC, a head and photons, as probe_scatter.h
+// describes them.
+#ifndef PHOTONLAB_CLI_PREVIEW_PHOTONS_H
+#define PHOTONLAB_CLI_PREVIEW_PHOTONS_H
+
+#include "error.h"
+#include "preview/scatter.h"
+
+// The file may hold anything: one that is not well formed is refused, photons that cannot be drawn (no numbers, no such
+// material) are left out. Free with scatter_free.
+bool preview_photons_read(const char *path, const Scene *scene, Scatter *scatter, Error *error);
+
+#endif
