@@ -7,8 +7,8 @@ const Rgba COLOUR_OF_HINTS = {160, 170, 186, 255};
 
 Rgba palette_photon(int colour)
 {
-    // Nearly pure, since points add up: a dense red spot must stay red. Blue is dark on a screen, so it gets a little green.
-    static const Rgba OF[4] = {{205, 205, 200, 150}, {255, 0, 0, 255}, {0, 235, 0, 255}, {0, 40, 255, 255}};
+    // Pure, since points add up: a dense blue spot must not become cyan.
+    static const Rgba OF[4] = {{205, 205, 200, 150}, {255, 0, 0, 255}, {0, 235, 0, 255}, {0, 0, 255, 255}};
     return OF[colour >= 0 && colour < 4 ? colour : 0];
 }
 
