@@ -41,6 +41,7 @@ void app_key(App *app, int key);
 void app_drag(App *app, int button, bool shift, float right, float down);
 void app_scroll(App *app, float notches); // > 0: nearer
 void app_resize(App *app);
+void app_moved(App *app); // to be called when the camera did
 
 // The answer to a save is wanted soon: a fair part of its photons first, all of them in the next frame.
 void app_hurry(App *app, double now);

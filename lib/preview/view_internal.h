@@ -95,6 +95,16 @@ float leg_flown(const ScatterLeg *leg, double flight);
 // direction in the xz plane. `table` is of view->exponent.
 float lobe_density(const View *view, StepChoice play, const LobeTable *table, Vec3 direction);
 Vec3 lobe_mirror(const View *view);
+typedef struct {
+    const View *view;
+    StepChoice play;
+    LobeTable *table; // of view->exponent; the caller frees it
+    float peak;       // the highest density: it reaches out to 1
+} Lobe;
+bool lobe_prepare(const View *view, StepChoice play, Lobe *lobe); // false: no memory
+// A point for each of the side's samples that is up to it, on the view's own stage: up is +y, the mirror direction lies
+// on the side of +x. Counts what is wrong with the others: side->lobe_absorbed and so on.
+void lobe_cloud(const Lobe *lobe, Side *side, Vertices *list);
 
 // ---- screen ----
 int screen_busiest(const Scene *scene, const Scatter *scatter); // −1: there is none

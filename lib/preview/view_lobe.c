@@ -50,13 +50,6 @@ static Vec3 on_stage(Vec3 local)
     return vec3(local.x, local.z, -local.y);
 }
 
-typedef struct {
-    const View *view;
-    StepChoice play;
-    LobeTable *table;
-    float peak; // the highest density: it reaches out to 1
-} Lobe;
-
 static Vec3 surface_point(const Lobe *lobe, const Frame *frame, int ring, int spoke)
 {
     float alpha = ring_angle(lobe->view, ring), phi = 2.0f * PI * (float)spoke / SPOKES;
@@ -66,19 +59,19 @@ static Vec3 surface_point(const Lobe *lobe, const Frame *frame, int ring, int sp
     return on_stage(vec3_scale(direction, density / lobe->peak));
 }
 
-static bool lobe_prepare(const Pane *pane, Lobe *lobe)
+bool lobe_prepare(const View *view, StepChoice play, Lobe *lobe)
 {
-    *lobe = (Lobe){pane->view, pane->side->scatter.play, malloc(sizeof(LobeTable)), 1.0f};
+    *lobe = (Lobe){view, play, malloc(sizeof(LobeTable)), 1.0f};
     if (!lobe->table)
         return false;
-    lobe_table_fill(lobe->table, pane->view->exponent);
+    lobe_table_fill(lobe->table, view->exponent);
     float peak = 0.0f;
     for (int i = 0; i <= 1000; i++) { // along the plane of incidence, where the peak is
         float angle = PI * ((float)i / 1000.0f - 0.5f);
         Vec3 direction = vec3(sinf(angle), 0, cosf(angle));
-        peak = fmaxf(peak, lobe_density(lobe->view, lobe->play, lobe->table, direction));
+        peak = fmaxf(peak, lobe_density(view, play, lobe->table, direction));
     }
-    lobe->peak = fmaxf(peak, lobe_density(lobe->view, lobe->play, lobe->table, lobe_mirror(lobe->view)));
+    lobe->peak = fmaxf(peak, lobe_density(view, play, lobe->table, lobe_mirror(view)));
     return true;
 }
 
@@ -152,7 +145,7 @@ static size_t usable(Side *side, StoredPhoton *photons)
     return count;
 }
 
-static void add_samples(const Lobe *lobe, Side *side, Vertices *list)
+void lobe_cloud(const Lobe *lobe, Side *side, Vertices *list)
 {
     StoredPhoton *photons = malloc((side->lobe.count + 1) * sizeof *photons);
     NearPhoton near[PHOTON_MAP_NEAREST_ROOM(NEAREST)];
@@ -198,13 +191,13 @@ void view_lobe_draw(const Pane *pane)
     const double key[KEY_SIZE] = {view->exponent, view->angle, view->diffuse, side->scatter.play.glossy};
     bool lines_known = cache_is(&side->lobe_lines, key), points_known = cache_is(&side->lobe_points, key);
     Lobe lobe;
-    if ((!lines_known || !points_known) && lobe_prepare(pane, &lobe)) {
+    if ((!lines_known || !points_known) && lobe_prepare(view, side->scatter.play, &lobe)) {
         Vertices lines = {.items = NULL}, points = {.items = NULL};
         add_stage(view, &lines);
         add_surface(&lobe, &lines);
         cache_fill(pane->canvas, &side->lobe_lines, &lines);
         if (!points_known) {
-            add_samples(&lobe, side, &points);
+            lobe_cloud(&lobe, side, &points);
             cache_fill(pane->canvas, &side->lobe_points, &points);
         }
         free(lobe.table);

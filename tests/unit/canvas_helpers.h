@@ -2,6 +2,7 @@
 #ifndef PHOTONLAB_TESTS_CANVAS_HELPERS_H
 #define PHOTONLAB_TESTS_CANVAS_HELPERS_H
 
+#include "canvas_leaks.h"
 #include "preview/context.h"
 
 #include <setjmp.h>
@@ -16,13 +17,6 @@ enum { WIDTH = 160, HEIGHT = 120 };
 
 static Context *context;
 static uint8_t seen[4 * WIDTH * HEIGHT]; // what `look` read
-
-// Mesa keeps some hundred bytes of each context for ever. Read by AddressSanitizer, where there is one.
-const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void)
-{
-    return "leak:libOSMesa\nleak:libEGL\nleak:libLLVM\nleak:_dri.so\nleak:libgallium\n";
-}
 
 static inline int start(void **state)
 {

@@ -63,7 +63,7 @@ static void panes_of_one_index(void **state)
     (void)state;
     for (int loop = 0; loop < 2; loop++) {
         Scene *scene = panes(loop ? "indices: [1.5, 1.5, 1.5]" : "index: 1.5");
-        PhotonPass pass = photons_of(scene, 100000, 1, (StepChoice){GLOSSY_PHONG, loop});
+        PhotonPass pass = photons_of(scene, FEWER(100000), 1, (StepChoice){GLOSSY_PHONG, loop});
         Arrived at = arrived(&pass);
         assert_int_equal(at.count[RED] + at.count[GREEN] + at.count[BLUE], 0);
         assert_true(at.sum[0] == at.sum[1] && at.sum[1] == at.sum[2]); // the same numbers, not just nearly
@@ -78,12 +78,12 @@ static void panes_of_nearly_one_index(void **state)
 {
     (void)state;
     Scene *scene = panes("indices: [1.5, 1.500001, 1.500002]");
-    PhotonPass pass = photons_of(scene, 200000, 1, PLAY_DEFAULT);
+    PhotonPass pass = photons_of(scene, FEWER(200000), 1, PLAY_DEFAULT);
     Arrived at = arrived(&pass);
     assert_int_equal(at.count[WHITE], 0);
     for (int c = 0; c < 3; c++) {
         int next = (c + 1) % 3;
-        assert_true(at.count[RED + c] > 100000);
+        assert_true(at.count[RED + c] > pass.emitted / 2);
         assert_within(at.sum[c], through_panes(1.5, 4), 4.0 * at.error[c], "flux of one colour");
         assert_within(at.sum[c], at.sum[next], 4.0 * hypot(at.error[c], at.error[next]), "two colours");
     }
@@ -98,11 +98,12 @@ static void panes_of_strong_dispersion(void **state)
     (void)state;
     const double index[3] = {1.3, 1.6, 2.4};
     Scene *scene = panes("indices: [1.3, 1.6, 2.4]");
-    PhotonPass pass = photons_of(scene, 200000, 1, PLAY_DEFAULT);
+    PhotonPass pass = photons_of(scene, FEWER(200000), 1, PLAY_DEFAULT);
     Arrived at = arrived(&pass);
     for (int c = 0; c < 3; c++) {
         assert_within(at.sum[c], through_panes(index[c], 4), 3.0 * at.error[c], "flux of one colour");
-        assert_within(pass.ledger.escaped[c], 1.0 - through_panes(index[c], 4), 0.01, "flux reflected");
+        assert_within(pass.ledger.escaped[c], 1.0 - through_panes(index[c], 4), 0.01 * sqrt(2e5 / (double)pass.emitted),
+                      "flux reflected");
     }
     photon_pass_free(&pass);
     scene_free(scene);
@@ -125,7 +126,7 @@ static void reflected_light_stays_white(void **state)
         "  - {type: rectangle, corner: [-1, -1, -1], edge_u: [2, 0, 0], edge_v: [0, 2, 0], material: "
         "black}\n");
     const double index[3] = {1.3, 1.6, 2.4};
-    PhotonPass pass = photons_of(scene, 100000, 1, PLAY_DEFAULT);
+    PhotonPass pass = photons_of(scene, FEWER(100000), 1, PLAY_DEFAULT);
     Mean white[3] = {{0}};
     for (size_t i = 0; i < pass.rest.count; i++) {
         const StoredPhoton *photon = &pass.rest.photons[i];
@@ -160,8 +161,8 @@ static void a_grey_room_stays_grey(void **state)
         "  - {type: sphere, centre: [0.5, -0.6, 0], radius: 0.3, material: tin}\n"
         "  - {type: mesh, file: meshes/diamond.obj, material: crown}\n");
     for (int loop = 0; loop < 2; loop++) {
-        PhotonPass pass = photons_of(scene, 50000, 1, (StepChoice){GLOSSY_PHONG, loop});
-        assert_true(pass.rest.count > 50000);
+        PhotonPass pass = photons_of(scene, FEWER(50000), 1, (StepChoice){GLOSSY_PHONG, loop});
+        assert_true(pass.rest.count > (size_t)pass.emitted);
         for (size_t i = 0; i < pass.rest.count; i++) {
             Colour power = pass.rest.photons[i].power;
             assert_int_equal(pass.rest.photons[i].colour, WHITE);
