@@ -159,6 +159,42 @@ check_numbers() {
     verdict "$(awk -F '\t' '$2 == "number"' "$work/facts" | wc -l) numbers in the text are those of their data" "$work/wrong"
 }
 
+# The gallery: each known mistake stands, with the judge's words, in the tile of the picture that shows it, or in the list of those that
+# no tile shows.
+check_gallery() {
+    local name
+    [ -d tests/mistakes ] && [ -s $figures/5_seen.txt ] && [ -f course_notes/5_what_did_i_break.md ] || return
+    for name in tests/mistakes/[1-9].*/; do
+        name=$(basename "$name")
+        printf '%s\t%s\n' "$name" "$(head -1 "tests/mistakes/$name/text")"
+    done >"$work/known"
+    # Lines of `tile TAB ID TAB WORDS` and of `unseen TAB STEP TAB WORDS`.
+    awk -v OFS='\t' '
+        { gsub(/\\/, "") }
+        /^::: *\{\.tile/ { id = $0; sub(/.*#/, "", id); sub(/}.*/, "", id); words = ""; next }
+        /^:::$/ { if (id ~ /^m-/) print "tile", id, words; id = ""; next }
+        { words = words " " $0 }
+        /^\| [1-9]\.[1-9] \|/ { split($0, cell, / *\| */); print "unseen", cell[2], cell[3] }' \
+        course_notes/5_what_did_i_break.md | tr -s ' ' >"$work/gallery"
+    awk -F '\t' '
+        function id_of(m) { gsub(/[._]/, "-", m); return "m-" m }
+        FILENAME ~ /known$/ { known[$1] = $2; next }
+        FILENAME ~ /gallery$/ { if ($1 == "tile") { tile[$2] = $3; if (++count[$2] > 1) print "tile #" $2 ": twice" }
+                                else row[$2 ": " $3]++; next }
+        split($0, word, " ") >= 7 { seen[word[1]] = word[6]; picture[word[1]] = word[7] }
+        END { for (m in known) if (!(m in seen)) print m ": 5_seen.txt does not know it; `make figures CHAPTER=5` plays it"
+                  else if (seen[m] == "yes") { id = id_of(picture[m]); wanted_tile[id] = 1
+                      if (!index(tile[id], known[m])) print m ": tile #" id " does not say \"" known[m] "\"" }
+                  else wanted[substr(m, 1, 3) ": " known[m]]++
+              for (m in seen) if (!(m in known)) print m ": in 5_seen.txt, but no known mistake"
+              for (id in tile) if (!(id in wanted_tile)) print "tile #" id ": no known mistake that a picture shows"
+              for (line in wanted) if (row[line] != wanted[line])
+                  print line ": " row[line] + 0 " times in the list of those that no tile shows, not " wanted[line]
+              for (line in row) if (!(line in wanted)) print line ": listed as shown by no tile, but is none of these" }' \
+        "$work/known" "$work/gallery" $figures/5_seen.txt | sort >"$work/wrong"
+    verdict "$(wc -l <"$work/known") known mistakes stand in the gallery" "$work/wrong"
+}
+
 check_pages() {
     local page name
     for page in course_notes/*.md; do
@@ -185,5 +221,6 @@ check_links
 check_report
 check_steps
 check_figures
+check_gallery
 check_numbers
 finish

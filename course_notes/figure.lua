@@ -192,6 +192,21 @@ local function aside(div, class)
                  { pandoc.RawBlock("latex", "\\end{aside}") })
 end
 
+-- The gallery in the PDF: tiles in four columns. (HTML does it by its style.)
+local function gallery(div)
+    return boxed(div.content, { pandoc.RawBlock("latex", "\\begin{multicols}{4}\\raggedcolumns") },
+                 { pandoc.RawBlock("latex", "\\end{multicols}") })
+end
+
+local function tile(div)
+    local label = div.identifier ~= "" and "\\hypertarget{" .. div.identifier .. "}{}" or ""
+    local content = pandoc.walk_block(div, { Image = function(image)
+        image.attributes.width = "100%"
+        return { image, tex("\\newline ") }
+    end }).content
+    return boxed(content, { pandoc.RawBlock("latex", "\\begin{tile}" .. label) }, { pandoc.RawBlock("latex", "\\end{tile}") })
+end
+
 -- The text's font has no such signs.
 local function Str(str)
     if not is_html and (str.text:find("✓") or str.text:find("✗")) then
@@ -224,6 +239,10 @@ function Div(div)
         return is_html and contents() or {}
     elseif div.classes:includes("answer") then
         return answer(div)
+    elseif not is_html and div.classes:includes("gallery") then
+        return gallery(div)
+    elseif not is_html and div.classes:includes("tile") then
+        return tile(div)
     end
     for class in pairs(labels) do
         if div.classes:includes(class) then
@@ -245,7 +264,10 @@ end
 local one_document = {
     Header = function(header)
         header.identifier = header.level == 1 and page or page .. "--" .. header.identifier
-        return header
+        -- A heading of the gallery stays with its first tiles: where they would not fit, the page ends.
+        local room = page:match("^5_") and header.level == 2 and "9cm"
+        return room and { pandoc.RawBlock("latex", "\\vskip 0pt plus " .. room .. "\\penalty-250\\vskip 0pt plus -" .. room), header }
+            or header
     end,
     Link = function(link)
         local name, anchor = link.target:match("^([%w_]*)%.?h?t?m?l?#?(.*)$")
@@ -261,6 +283,12 @@ local one_document = {
             block.identifier = page .. "--" .. block.identifier
         end
         return block
+    end,
+    Div = function(div)
+        if div.identifier ~= "" then
+            div.identifier = page .. "--" .. div.identifier
+        end
+        return div
     end,
 }
 

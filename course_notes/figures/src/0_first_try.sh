@@ -9,8 +9,8 @@ cat >"$folder/1.1_reflect.c" <<'STEP'
 
 Vec3 reflect(Vec3 direction, Vec3 normal)
 {
-    float along = vec3_dot(direction, normal);
-    return vec3_along(direction, normal, -along);
+    float depth = vec3_dot(direction, normal);
+    return vec3_along(direction, normal, -depth);
 }
 STEP
 # shellcheck disable=SC2086  # flags are meant to fall apart into words

@@ -32,7 +32,7 @@ static void estimate(const PhotonMap *map, size_t k, NearPhoton *near, double va
     double scale = 4.0 / ((double)photon_map_count(map) * (double)(PI * radius2));
     for (int f = 0; f < FILTERS; f++)
         values[f] = 0.0;
-    for (size_t i = 0; i < found; i++) {
+    for (size_t i = 0; i != found; i++) {
         double u = (double)near[i].distance2 / (double)radius2;
         values[0] += scale;
         values[1] += u < 1.0 ? scale : 0.0;
