@@ -87,6 +87,17 @@ bool run_take_picture(Run *run, Part *part)
     return true;
 }
 
+// A worker tells twice: at once, and when it has found the way to the student's code. Of several that were asked, the
+// first word of one must not replace the last of another.
+static void take_crash(Failure *failure, const char *bytes)
+{
+    WireCrash crash;
+    memcpy(&crash, bytes, sizeof crash);
+    if (!failure->has_crash || crash.object[0] || !failure->crash.object[0])
+        failure->crash = crash;
+    failure->has_crash = true;
+}
+
 static bool take_message(Run *run, Part *part)
 {
     const Heap *payload = &part->payload;
@@ -115,10 +126,8 @@ static bool take_message(Run *run, Part *part)
         }
         return true;
     case WIRE_CRASH:
-        if (payload->size == sizeof run->failure.crash) {
-            memcpy(&run->failure.crash, payload->bytes, payload->size);
-            run->failure.has_crash = true;
-        }
+        if (payload->size == sizeof run->failure.crash)
+            take_crash(&run->failure, payload->bytes);
         return true;
     }
     return true;

@@ -40,7 +40,7 @@ window_start() {
 
 window_end() {
     local process
-    for process in ${window:-} ${xvfb:-}; do
+    for process in ${headless:-} ${window:-} ${xvfb:-}; do
         kill "$process" 2>/dev/null
         wait "$process" 2>/dev/null
     done
@@ -72,11 +72,12 @@ save() {
     mv "$work/saved" "$student/$1"
 }
 
-# picture_now NAME: the window's own snapshot, by its key.
+# picture_now NAME: the window's own snapshot, by its key. It says so when the file is whole.
 picture_now() {
-    rm -f "$work/snapshot.png"
+    local told
+    told=$(lines_of 'snapshot\.png$')
     key s
-    wait_for 10 test -s "$work/snapshot.png" && cp "$work/snapshot.png" "$work/$1.png"
+    wait_for 10 said_again 'snapshot\.png$' "$told" && cp "$work/snapshot.png" "$work/$1.png"
 }
 
 key() {

@@ -8,6 +8,11 @@ differs() {
     cmp -s "$work/before.png" "$work/after.png" && bad "$name changes nothing" || good "$name"
 }
 
+# looks_other: the picture is no longer the one before; to be waited for, where a change takes its time.
+looks_other() {
+    picture_now after && ! cmp -s "$work/before.png" "$work/after.png"
+}
+
 drag() {
     xdotool mousemove 320 240 mousedown "$1" mousemove_relative -- "$2" "$3" mousemove_relative -- 5 5 mouseup "$1"
 }
@@ -50,7 +55,7 @@ check_keys() {
     differs "1: points" key 1
     differs "space: slow light" key space
     key space
-    differs "p: renders" eval 'key p; sleep 2'
+    differs "p: renders" eval 'key p; wait_for 15 looks_other'
     key p
     screen_now before
     local id

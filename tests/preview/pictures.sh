@@ -38,15 +38,17 @@ check_pictures() {
     # Without a display the window's command writes a snapshot on each save.
     "$program" preview scenes/box_diffuse.yaml --photons 20000 --size 480x360 --snapshot "$work/headless.png" --code "$objects" \
         --watch "$student" --build "$preview_build" >"$work/headless.log" 2>&1 &
-    local headless=$!
+    headless=$!
     wait_for 10 grep -q 'is new' "$work/headless.log" && good "no display: $(head -1 "$work/headless.log")" || bad "no display: $(cat "$work/headless.log")"
     cp "$work/headless.png" "$work/first.png"
     printf '#include "photonlab.h"\nVec3 scatter_diffuse(Vec3 normal, Rng *rng)\n{\n    return rng_float(rng) < 2.0f ? normal : normal;\n}\n' |
         save 1_diffuse_photon_map/1.3_scatter_diffuse.c
     wait_for 10 eval '[ $(grep -c "is new" "$work/headless.log") -ge 2 ]' && ! cmp -s "$work/first.png" "$work/headless.png" &&
         good "a save: a new snapshot" || bad "a save: no new snapshot: $(tail -2 "$work/headless.log")"
-    cp solutions/1_diffuse_photon_map/1.3_scatter_diffuse.c "$student/1_diffuse_photon_map/"
-    sleep 1
-    kill $headless
-    wait $headless 2>/dev/null
+    save 1_diffuse_photon_map/1.3_scatter_diffuse.c <solutions/1_diffuse_photon_map/1.3_scatter_diffuse.c
+    # Built again before it is ended: what comes next plays these objects.
+    wait_for 10 eval '[ $(grep -c "is new" "$work/headless.log") -ge 3 ]' || bad "no snapshot after the last save"
+    kill "$headless"
+    wait "$headless" 2>/dev/null
+    headless=
 }
