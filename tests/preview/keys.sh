@@ -57,6 +57,8 @@ check_keys() {
     key space
     differs "p: renders" eval 'key p; wait_for 15 looks_other'
     key p
+    key o
+    wait_for 5 said_again 'no report yet|the report: ' 0 && good "o: the report, or how to get one" || bad "o says nothing"
     screen_now before
     local id
     id=$(xdotool search --onlyvisible --name photonlab | head -1)
