@@ -151,7 +151,9 @@ GCC_BUILD = $(if $(filter gcc,$(CC)),$(BUILD),$(BUILD)/gcc)
 check-compilers:
 	@$(MAKE) BUILD=$(GCC_BUILD) CC=gcc EXTRA=-Werror all $(TEST_SOURCES:tests/unit/%.c=$(GCC_BUILD)/tests/%)
 	@$(MAKE) BUILD=$(BUILD)/clang CC=clang EXTRA=-Werror all
-	$(Q)for cc in gcc clang; do $$cc $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS) $(TEST_SOURCES) $(wildcard tests/fuzz/*.c tests/judge/*.c tests/judge/*/*.c tests/steps/*.c tests/class/*.c) || exit 1; done
+	$(Q)printf '%s\n' $(TEST_SOURCES) $(wildcard tests/fuzz/*.c tests/judge/*.c tests/judge/*/*.c tests/steps/*.c tests/class/*.c) | \
+	    xargs -n 8 -P $(shell getconf _NPROCESSORS_ONLN) clang $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS)
+	$(Q)gcc $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c)
 
 ##   check-bytes       1, 2 and 7 threads, gcc and clang: the same bytes
 check-bytes: check-compilers meshes
@@ -179,9 +181,9 @@ check-arm: all meshes
 reference: all
 	@bash tests/reference/compare.sh $(PROGRAM)
 
-##   agreement         photons against the path tracer, on every scene that it can render
+##   agreement         photons against the path tracer, on every scene that it can render (SCENES=few: half of them, as `make check` does)
 agreement: all meshes
-	@bash tests/agreement.sh $(PROGRAM)
+	@bash tests/agreement.sh $(PROGRAM) $(SCENES)
 
 ## bench           speed against other programs, as ratios measured side by side (installs them first)
 bench: all meshes

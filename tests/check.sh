@@ -56,19 +56,18 @@ count() {
 }
 
 part "build" "$make" --no-print-directory EXTRA=-Werror judge class-tools meshes
-aside check-preview check-attacks check-class check-reports check-judge
+aside check-preview check-notes check-attacks check-class check-reports check-judge
 part "unit tests" "$make" --no-print-directory EXTRA=-Werror check-unit
 # The preview's start compilers and draw by software; under sanitizers that takes longer than it tells.
 part "unit tests under sanitizers" "$make" --no-print-directory check-sanitized SKIP=tests/unit/test_preview_%
 part "gcc and clang, threads: the same bytes" "$make" --no-print-directory check-bytes
 part "command line" "$make" --no-print-directory check-cli
 part "command line under sanitizers" "$make" --no-print-directory check-cli-sanitized
-part "course notes" "$make" --no-print-directory check-notes
 part "probe" "$make" --no-print-directory check-probe
 part "exercises" "$make" --no-print-directory check-exercises
 part "the grader graded" env HANDS=b "$make" --no-print-directory check-grader-quick
 part "against an independent renderer" "$make" --no-print-directory reference
-part "photons against the path tracer" "$make" --no-print-directory agreement
+part "photons against the path tracer" "$make" --no-print-directory agreement SCENES=few
 join
 part "sandbox" "$make" --no-print-directory check-sandbox # counts seconds, so alone
 
