@@ -203,6 +203,8 @@ local function tile(div)
     local content = pandoc.walk_block(div, { Image = function(image)
         image.attributes.width = "100%"
         return { image, tex("\\newline ") }
+    end, Code = function(code) -- a path may break at its slashes
+        return tex("\\texttt{" .. tex_escape((code.text:gsub("[{}]", ""))) .. "}")
     end }).content
     return boxed(content, { pandoc.RawBlock("latex", "\\begin{tile}" .. label) }, { pandoc.RawBlock("latex", "\\end{tile}") })
 end
@@ -265,9 +267,8 @@ local one_document = {
     Header = function(header)
         header.identifier = header.level == 1 and page or page .. "--" .. header.identifier
         -- A heading of the gallery stays with its first tiles: where they would not fit, the page ends.
-        local room = page:match("^5_") and header.level == 2 and "9cm"
-        return room and { pandoc.RawBlock("latex", "\\vskip 0pt plus " .. room .. "\\penalty-250\\vskip 0pt plus -" .. room), header }
-            or header
+        local room = page:match("^5_") and header.level == 2
+        return room and { pandoc.RawBlock("latex", "\\room{9cm}"), header } or header
     end,
     Link = function(link)
         local name, anchor = link.target:match("^([%w_]*)%.?h?t?m?l?#?(.*)$")
