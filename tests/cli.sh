@@ -138,6 +138,16 @@ expect 0 "your code plays: 1.4 1.5" $play
 expect 0 "built, but not played (see --steps): 1.5" $play --steps 3.4
 rm "$stage1/1.5_trace_photon.so"
 
+# Right code is not accused, however few its photons are.
+accused=0
+for seed in 1 2 3 4 5 6 7 8 9 10; do
+    for photons in 1 2 30 100 1000; do
+        "$program" photons scenes/box_glossy.yaml --photons $photons --seed $seed -o "$work/few.ply" 2>&1 | grep -q energy: &&
+            accused=$((accused + 1))
+    done
+done
+check "$accused == 0" "few photons of right code: $accused of 50 runs accused"
+
 # What a wrong step does is said.
 student 1.4_russian_roulette <<'C'
 bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)

@@ -187,10 +187,10 @@ void report_suspects(StepChoice choice)
               "one of your steps may have returned NaN (0/0, or the root of a negative number):");
 }
 
-void report_oddities(const Ledger *ledger, long unsound)
+void report_oddities(const Ledger *ledger, long paths, long unsound)
 {
     char text[ODDITIES_SIZE];
-    oddities_describe(ledger, unsound, redraw_cap_count(), text, sizeof text);
+    oddities_describe(ledger, paths, unsound, redraw_cap_count(), text, sizeof text);
     fputs(text, stderr);
 }
 

@@ -96,7 +96,7 @@ int command_photons(int count, char **arguments)
     if (!ok)
         return report_error(&error);
     if (!a.quiet) {
-        report_oddities(&pass.ledger, pass.unsound);
+        report_oddities(&pass.ledger, pass.emitted, pass.unsound);
         fprintf(stderr, "%s: %zu photons stored of %ld emitted; %.1f s\n", a.out, pass.stored, pass.emitted,
                 pass.seconds);
     }

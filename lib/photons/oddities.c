@@ -5,6 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
+// The spread of fewer paths is itself too uncertain to accuse anybody: of one path it is 0, whatever chance did, and of
+// a hundred it is still too small now and then.
+#define FEWEST_PATHS 1000
+
 static void describe_energy(const Ledger *ledger, char *text, size_t size)
 {
     static const char *const names[] = {"red", "green", "blue"};
@@ -21,7 +25,7 @@ static void describe_energy(const Ledger *ledger, char *text, size_t size)
     }
 }
 
-void oddities_describe(const Ledger *ledger, long unsound, long redraw_caps, char *text, size_t size)
+void oddities_describe(const Ledger *ledger, long paths, long unsound, long redraw_caps, char *text, size_t size)
 {
     text[0] = '\0';
     size_t used = 0;
@@ -33,5 +37,6 @@ void oddities_describe(const Ledger *ledger, long unsound, long redraw_caps, cha
         snprintf(text + used, size - used,
                  "%ld paths ended since a step gave a direction that is not of unit length (NaN, say)\n", unsound);
     used = strlen(text);
-    describe_energy(ledger, text + used, size - used);
+    if (paths >= FEWEST_PATHS)
+        describe_energy(ledger, text + used, size - used);
 }

@@ -47,7 +47,7 @@ void run_describe_oddities(Run *run)
     sum_up(run, &sum);
     if (run->request.kind != RUN_SCATTER)
         sum.ledger = (Ledger){.emitted = {0.0}};
-    oddities_describe(&sum.ledger, sum.unsound, sum.redraw_caps, text, sizeof text);
+    oddities_describe(&sum.ledger, sum.emitted, sum.unsound, sum.redraw_caps, text, sizeof text);
     size_t length = strlen(text);
     if (length > 0)
         text[length - 1] = '\0'; // the last newline
