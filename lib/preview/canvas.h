@@ -51,7 +51,7 @@ void batch_draw(Canvas *canvas, const Batch *batch, size_t first, size_t count, 
 // For what changes with every frame.
 void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const DrawStyle *style);
 
-// Printable ASCII (others show as `?`), line by line from the top left in pixels; scale 1: letters about 7 pixels high,
+// Printable ASCII (of others a few are written out, the rest show as `?`), line by line from the top left in pixels; scale 1: letters about 7 pixels high,
 // lines 12 pixels apart. Within the whole canvas, whatever canvas_view says.
 void canvas_text(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text);
 float canvas_text_width(float scale, const char *text);

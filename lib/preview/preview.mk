@@ -7,15 +7,15 @@ $(PREVIEW_TESTS:tests/unit/%.c=$(BUILD)/tests/%): $(BUILD)/tests/%: $(BUILD)/obj
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/..' -o $@ $(LDLIBS)
 
-# STAGE chooses the scene, where SCENE does not.
-PREVIEW_SCENE_1  = scenes/box_diffuse.yaml
+# STAGE chooses the scene, where SCENE does not: one in which all of its steps play, mirror and glass of stage 1 too.
+PREVIEW_SCENE_1  = scenes/box_glass.yaml
 PREVIEW_SCENE_2  = scenes/box_glossy.yaml
 PREVIEW_SCENE_3  = scenes/box_dispersion.yaml
 PREVIEW_SCENE    = $(if $(filter undefined file,$(origin SCENE)),$(or $(PREVIEW_SCENE_$(STAGE)),$(PREVIEW_SCENE_1)),$(SCENE))
 PREVIEW_SNAPSHOT = $(BUILD)/preview.png
 
-# How one saved file becomes one object: what `make` itself does, without asking make.
-PREVIEW_BUILD = mkdir -p "$${2%/*}" && $(CC) $(CFLAGS) $(PLUGIN) -MMD -MP -MT "$$2" -MF "$${2%.so}.d" "$$1" -o "$$2.new" && mv "$$2.new" "$$2"
+# How one saved file becomes one object: what `make` itself does, without asking make. Two previews may build the same one.
+PREVIEW_BUILD = mkdir -p "$${2%/*}" && $(CC) $(CFLAGS) $(PLUGIN) -MMD -MP -MT "$$2" -MF "$${2%.so}.d" "$$1" -o "$$2.new$$$$" && mv "$$2.new$$$$" "$$2"
 PREVIEW_FLAGS = --code '$(CODE_BUILD)' --watch '$(CODE_SOURCE)' --build '$(subst ','\'',$(PREVIEW_BUILD))' --report '$(BUILD)/report/index.html'
 
 .PHONY: preview snapshot check-preview bench-preview

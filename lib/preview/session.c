@@ -52,7 +52,7 @@ static void fault(Session *session, const char *text)
 // A save: its objects are there, so ask again for everything that the student's code made.
 static void rebuilt(Session *session, const View *view)
 {
-    session->fault[0] = '\0';
+    session->fault[0] = session->notice[0] = '\0'; // to be told again if they are still there
     session->have_lobe[YOURS] = false;
     session_stop(&session->lobe[YOURS]);
     session_ask_scatter(session, YOURS);
@@ -74,10 +74,14 @@ static bool poll_watch(Session *session, const View *view)
         return false;
     snprintf(session->build, sizeof session->build, "%s", watch_message(session->watch));
     if (event == WATCH_FAILED) {
+        session->fault[0] = '\0'; // the same mistake after another save is told again
         fault(session, session->build);
         return true;
     }
     tell(session->build);
+    snprintf(session->warning, sizeof session->warning, "%s", watch_warning(session->watch));
+    if (session->warning[0])
+        tell(session->warning);
     rebuilt(session, view);
     return false; // its photons are soon there
 }

@@ -29,9 +29,10 @@ typedef struct {
     bool building;
     bool timed; // words may tell seconds; not in snapshots, which are the same every time
 
-    char fault[600];  // of the last build or run of the student's code; "": none
-    char build[300];  // the last build, in words
-    char notice[600]; // what right steps never do
+    char fault[600];   // of the last build or run of the student's code; "": none
+    char build[300];   // the last build, in words
+    char warning[300]; // what the compiler warned of in it; "": nothing
+    char notice[600];  // what right steps never do
 } Session;
 
 bool session_start(Session *session, const Scene *scene, const PreviewOptions *options, Broker *broker, Canvas *canvas,
@@ -62,6 +63,8 @@ void session_stop_render(Session *session);
 // The student's side as it is to be shown now.
 Side *session_yours(const Session *session);
 
+// What is wrong, a line each: the fault, what the compiler warned of, what right steps never do. "": nothing.
+void session_banner(const Session *session, char *text, size_t size);
 // The line at the bottom.
 void session_status(const Session *session, char *text, size_t size);
 

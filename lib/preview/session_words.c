@@ -45,3 +45,14 @@ void session_status(const Session *session, char *text, size_t size)
                                  : "",
              session->building ? "" : session->build);
 }
+
+void session_banner(const Session *session, char *text, size_t size)
+{
+    const char *const lines[] = {session->fault, session->warning, session->notice};
+    text[0] = '\0';
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        size_t length = strlen(text);
+        if (lines[i][0])
+            snprintf(text + length, size - length, "%s%s", length > 0 ? "\n" : "", lines[i]);
+    }
+}

@@ -44,8 +44,7 @@ void session_draw(const Session *session, Canvas *canvas, const View *view, bool
                                     "h           this list    q  quit";
     char status[512], banner[1400];
     session_status(session, status, sizeof status);
-    snprintf(banner, sizeof banner, "%s%s%s", session->fault, session->fault[0] && session->notice[0] ? "\n" : "",
-             session->notice);
+    session_banner(session, banner, sizeof banner);
     Captions captions = {.help = help, .left_title = "yours", .right_title = "reference"};
     captions.status = bare || session->options->given ? NULL : status;
     captions.banner = bare || !banner[0] ? NULL : banner;

@@ -28,8 +28,18 @@
 
 #define QUADS_PER_LETTER 16 // at most: @ has 14
 
+// What our own sentences hold beside ASCII; no longer than the UTF-8 it stands for.
+static const char *ascii_for(const char *text)
+{
+    static const char *const pairs[][2] = {{"±", "+-"}, {"×", "x"}, {"…", ".."}, {"°", "o"}, {"·", "|"}, {"−", "-"}};
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+        if (strncmp(text, pairs[i][0], strlen(pairs[i][0])) == 0)
+            return pairs[i][1];
+    return "?";
+}
+
 // The text as the font can show it, in memory of its own: it knows 32…126 and the line's end, and reads past its table
-// for anything else. A letter of several bytes (UTF-8) becomes one `?`.
+// for anything else. Another letter of several bytes (UTF-8) becomes one `?`.
 static char *printable(const char *text)
 {
     char *copy = malloc(strlen(text) + 1), *end = copy;
@@ -39,7 +49,12 @@ static char *printable(const char *text)
         unsigned char c = (unsigned char)*text;
         if ((c & 0xC0) == 0x80)
             continue;
-        *end++ = c == '\n' || (c >= 32 && c < 127) ? (char)c : '?';
+        if (c == '\n' || (c >= 32 && c < 127)) {
+            *end++ = (char)c;
+            continue;
+        }
+        for (const char *letter = c < 128 ? "?" : ascii_for(text); *letter; letter++)
+            *end++ = *letter;
     }
     *end = '\0';
     return copy;

@@ -1,8 +1,6 @@
 #define _GNU_SOURCE // st_mtim
-#include "preview/watch.h"
+#include "preview/watch_internal.h"
 #include "parallel.h"
-#include "preview/watch_build.h"
-#include "steps/steps.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -11,11 +9,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#if defined(__linux__)
-#include <sys/inotify.h>
-#define HAS_INOTIFY 1
-#endif
 
 #define QUIET        0.03 // s after the last write: editors write several times
 #define QUIET_DELETE 0.3  // s: editors that rename leave a gap
@@ -28,41 +21,17 @@
 #define CHANGED_AT(info) (info).st_mtim
 #endif
 
-// What tells one state of a file from the next.
-typedef struct {
-    bool there;
-    long long seconds, nanoseconds, size;
-    unsigned long long number;
-} Print;
-
-typedef struct {
-    Print print;
-    bool dirty;
-    double since; // of the last sign that it was saved
-} Source;
-
-struct Watch {
-    char source[2048], objects[2048], *command;
-    Source files[STEP_COUNT];
-    int inotify;             // −1: none
-    int folders[STEP_COUNT]; // inotify's number for the folder of each step; −1: not there
-    double looked;
-    Build build;
-    size_t building; // the step
-    char message[1024];
-};
-
 static void path_of(char *path, size_t size, const char *folder, const StepInfo *step, const char *ending)
 {
     snprintf(path, size, "%s/%s%s", folder, step->file, ending);
 }
 
-static const char *name_of(const StepInfo *step)
+const char *watch_step_name(const StepInfo *step)
 {
     return strrchr(step->file, '/') + 1;
 }
 
-static Print take_print(const Watch *watch, size_t i)
+Print watch_take_print(const Watch *watch, size_t i)
 {
     char path[4096];
     struct stat info;
@@ -79,9 +48,9 @@ static bool same_print(const Print *a, const Print *b)
            a->number == b->number;
 }
 
-static void mark(Watch *watch, size_t i)
+void watch_mark(Watch *watch, size_t i)
 {
-    watch->files[i].print = take_print(watch, i);
+    watch->files[i].print = watch_take_print(watch, i);
     watch->files[i].dirty = true;
     watch->files[i].since = clock_seconds();
 }
@@ -93,86 +62,11 @@ static void look_at_times(Watch *watch)
         return;
     watch->looked = now;
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        Print print = take_print(watch, i);
+        Print print = watch_take_print(watch, i);
         if (!same_print(&print, &watch->files[i].print))
-            mark(watch, i);
+            watch_mark(watch, i);
     }
 }
-
-#ifdef HAS_INOTIFY
-#define CHANGES (IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE)
-
-// Folders that are watched already give the same number again.
-static void watch_folders(Watch *watch)
-{
-    for (size_t i = 0; i < STEP_COUNT; i++) {
-        char path[4096];
-        const char *slash = strchr(step_table[i].file, '/');
-        snprintf(path, sizeof path, "%s/%.*s", watch->source, (int)(slash - step_table[i].file), step_table[i].file);
-        watch->folders[i] = inotify_add_watch(watch->inotify, path, CHANGES | IN_ONLYDIR);
-    }
-}
-
-static void take_change(Watch *watch, const struct inotify_event *event)
-{
-    if (event->mask & (IN_ISDIR | IN_IGNORED | IN_Q_OVERFLOW)) { // a stage's folder came or went, or too much happened
-        watch_folders(watch);
-        watch->looked = 0.0;
-        return;
-    }
-    for (size_t i = 0; i < STEP_COUNT && event->len > 0; i++) {
-        const char *name = name_of(&step_table[i]);
-        size_t length = strlen(name);
-        if (event->wd == watch->folders[i] && strncmp(event->name, name, length) == 0 &&
-            strcmp(event->name + length, ".c") == 0 && !(event->mask & IN_CREATE && !take_print(watch, i).size))
-            mark(watch, i);
-    }
-}
-
-static void take_changes(Watch *watch)
-{
-    union {
-        struct inotify_event event; // aligned as one must be
-        char bytes[8192];
-    } room;
-    for (;;) {
-        ssize_t size = watch->inotify >= 0 ? read(watch->inotify, room.bytes, sizeof room.bytes) : 0;
-        if (size <= 0)
-            return;
-        for (ssize_t at = 0; at < size;) {
-            const struct inotify_event *event = (const struct inotify_event *)(const void *)(room.bytes + at);
-            take_change(watch, event);
-            at += (ssize_t)(sizeof *event + event->len);
-        }
-    }
-}
-
-static void start_listening(Watch *watch)
-{
-    const char *wish = getenv("PHOTONLAB_WATCH");
-    if (wish && strcmp(wish, "times") == 0)
-        return;
-    watch->inotify = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-    if (watch->inotify < 0)
-        return;
-    if (inotify_add_watch(watch->inotify, watch->source, IN_CREATE | IN_MOVED_TO | IN_ONLYDIR) < 0) {
-        close(watch->inotify);
-        watch->inotify = -1;
-        return;
-    }
-    watch_folders(watch);
-}
-#else
-static void take_changes(Watch *watch)
-{
-    (void)watch;
-}
-
-static void start_listening(Watch *watch)
-{
-    (void)watch;
-}
-#endif
 
 Watch *watch_start(const char *source, const char *objects, const char *command, Error *error)
 {
@@ -193,9 +87,9 @@ Watch *watch_start(const char *source, const char *objects, const char *command,
     strcpy(watch->source, source);
     strcpy(watch->objects, objects);
     watch->inotify = watch->build.output = -1;
-    start_listening(watch);
+    watch_start_listening(watch);
     for (size_t i = 0; i < STEP_COUNT; i++)
-        watch->files[i].print = take_print(watch, i);
+        watch->files[i].print = watch_take_print(watch, i);
     return watch;
 }
 
@@ -215,7 +109,7 @@ static WatchEvent remove_object(Watch *watch, size_t i, const char *object)
     if (unlink(object) != 0 && errno == ENOENT)
         return WATCH_NOTHING;
     snprintf(watch->message, sizeof watch->message, "%s.c: deleted; the reference plays in its place",
-             name_of(&step_table[i]));
+             watch_step_name(&step_table[i]));
     return WATCH_BUILT;
 }
 
@@ -226,13 +120,13 @@ static WatchEvent begin_build(Watch *watch, size_t i)
     path_of(source, sizeof source, watch->source, &step_table[i], ".c");
     path_of(object, sizeof object, watch->objects, &step_table[i], ".so");
     watch->files[i].dirty = false;
-    watch->files[i].print = take_print(watch, i); // what is built, even if it was seen half-written before
+    watch->files[i].print = watch_take_print(watch, i); // what is built, even if it was seen half-written before
     if (access(source, F_OK) != 0)
         return remove_object(watch, i, object);
     watch->building = i;
     if (build_start(&watch->build, watch->command, source, object, &error))
         return WATCH_BUILDING;
-    snprintf(watch->message, sizeof watch->message, "%s.c: %.900s", name_of(&step_table[i]), error.message);
+    snprintf(watch->message, sizeof watch->message, "%s.c: %.900s", watch_step_name(&step_table[i]), error.message);
     return WATCH_FAILED;
 }
 
@@ -256,24 +150,37 @@ static WatchEvent begin_next(Watch *watch)
 static WatchEvent end_build(Watch *watch, bool ok)
 {
     char file[256];
-    snprintf(file, sizeof file, "%s.c", name_of(&step_table[watch->building]));
-    if (ok)
+    snprintf(file, sizeof file, "%s.c", watch_step_name(&step_table[watch->building]));
+    watch->warning[0] = '\0';
+    if (ok) {
         snprintf(watch->message, sizeof watch->message, "%s: built in %.2f s", file,
                  clock_seconds() - watch->build.started);
-    else
+        build_warning_line(&watch->build, file, watch->warning, sizeof watch->warning);
+    }
+    if (!ok)
         build_error_line(&watch->build, file, watch->message, sizeof watch->message);
     return ok ? WATCH_BUILT : WATCH_FAILED;
+}
+
+static WatchEvent tell_of_stray(Watch *watch)
+{
+    snprintf(watch->message, sizeof watch->message,
+             "%s: no step has this name, so nothing plays it; `build/photonlab steps` lists them", watch->stray);
+    watch->stray[0] = '\0';
+    return WATCH_FAILED;
 }
 
 WatchEvent watch_poll(Watch *watch)
 {
     bool ok;
-    take_changes(watch);
+    watch_take_changes(watch);
     look_at_times(watch);
     if (watch->build.pid > 0 && watch->files[watch->building].dirty)
         build_stop(&watch->build); // what it would make is out of date
     if (watch->build.pid > 0)
         return build_poll(&watch->build, &ok) ? end_build(watch, ok) : WATCH_NOTHING;
+    if (watch->stray[0])
+        return tell_of_stray(watch);
     return begin_next(watch);
 }
 
@@ -294,4 +201,9 @@ void watch_wait(Watch *watch, double seconds)
 const char *watch_message(const Watch *watch)
 {
     return watch->message;
+}
+
+const char *watch_warning(const Watch *watch)
+{
+    return watch->warning;
 }

@@ -10,7 +10,7 @@ typedef enum {
     WATCH_NOTHING,
     WATCH_BUILDING, // a save was seen, the compiler runs
     WATCH_BUILT,    // the objects are new: run again
-    WATCH_FAILED    // watch_message tells why, the old objects stay
+    WATCH_FAILED    // watch_message tells why, the old objects stay; also for a file that is named like no step
 } WatchEvent;
 
 // Watches source/<stage>/*.c (laid out as exercises/). For each saved file runs, with LC_ALL=C,
@@ -29,5 +29,7 @@ void watch_wait(Watch *watch, double seconds);
 // Of the last build: WATCH_BUILT "1.3_scatter_diffuse.c: built in 0.12 s"; WATCH_FAILED the compiler's first error line,
 // "1.3_scatter_diffuse.c:12:5: error: expected ';' …"
 const char *watch_message(const Watch *watch);
+// The compiler's first warning in a build that succeeded, such as a forgotten return; "" if there was none.
+const char *watch_warning(const Watch *watch);
 
 #endif

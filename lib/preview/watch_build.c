@@ -167,9 +167,8 @@ static const char *find_line(const char *text)
     return last;
 }
 
-void build_error_line(const Build *build, const char *file, char *line, size_t size)
+static void describe_line(const char *found, const char *file, char *line, size_t size)
 {
-    const char *found = find_line(build->text);
     size_t length = strcspn(found, "\n"), path = strcspn(found, ":\n");
     const char *name = found;
     for (size_t i = 0; i < path; i++)
@@ -184,4 +183,20 @@ void build_error_line(const Build *build, const char *file, char *line, size_t s
         snprintf(line, size, "%.*s", rest, name);
     else
         snprintf(line, size, "%s: %.*s", file, rest, name);
+}
+
+void build_error_line(const Build *build, const char *file, char *line, size_t size)
+{
+    describe_line(find_line(build->text), file, line, size);
+}
+
+bool build_warning_line(const Build *build, const char *file, char *line, size_t size)
+{
+    const char *warning = strstr(build->text, "warning:");
+    if (!warning)
+        return false;
+    while (warning > build->text && warning[-1] != '\n')
+        warning--;
+    describe_line(warning, file, line, size);
+    return true;
 }

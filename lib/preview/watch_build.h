@@ -25,5 +25,7 @@ bool build_poll(Build *build, bool *ok);
 // The line of its text that tells most: the first with an error; with the path's folders cut off. Starts with the
 // name of a file, `file` where the line has none.
 void build_error_line(const Build *build, const char *file, char *line, size_t size);
+// The same for the first warning. False: there is none, and the line stays.
+bool build_warning_line(const Build *build, const char *file, char *line, size_t size);
 
 #endif

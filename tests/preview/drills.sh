@@ -45,6 +45,7 @@ check_drills() {
         'for (;;) { char *room = malloc(64 << 20); memset(room, 1, 64 << 20); normal.x += (float)room[rng_u32(rng) % 64]; }'
     drill "abort" '1\.3.*scatter_diffuse.*abort' '' 'if (rng) abort(); return normal;'
     drill "exit" '1\.3.*exit|exit\(' '' 'if (rng) exit(0); return normal;'
+    drill "forgotten return" '1\.3_scatter_diffuse\.c:[0-9]+:.*warning.*(return|void)' '' 'rng_float(rng); normal.x += 0.0f;'
     drill "build error" '1\.3_scatter_diffuse\.c:[0-9]+:.*error' '' 'return normal'
     drill "undefined symbol" '1\.3.*no_such_function|no_such_function.*1\.3' 'Vec3 no_such_function(Vec3);' 'return no_such_function(normal);'
 }

@@ -57,6 +57,7 @@ static void words_stay_in_their_lines(void **state)
     assert_true(canvas_text_width(2, "photon") == 2.0f * (float)width);
     assert_true(canvas_text_width(1, "photon\nx") == (float)width);
     assert_true(canvas_text_width(1, "\xc2\xb5") == canvas_text_width(1, "?"));
+    assert_true(canvas_text_width(1, "0 ± 2") == canvas_text_width(1, "0 +- 2"));
     canvas_begin(canvas);
     canvas_text(canvas, 20, 30, 2, WHITE, "photon");
     look(canvas);

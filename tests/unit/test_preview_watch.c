@@ -58,6 +58,7 @@ static void assert_object(const char *file, const char *expected)
 static const char command[] =
     "sleep 0.05; case $(cat \"$1\") in "
     "*wrong*) echo \"In file included from somewhere/deep.h:1:\" >&2; echo \"$1:12:5: error: expected ';'\" >&2; exit 1;; "
+    "*warned*) echo \"$1:7:1: warning: no return statement\" >&2; cp \"$1\" \"$2.new\";; "
     "*silent*) exit 1;; "
     "*linker*) echo \"/usr/bin/ld: cannot find -lmissing\" >&2; exit 1;; "
     "*slow*) sleep 5;; "
@@ -167,6 +168,30 @@ static void saves_queue_and_restart(void **state)
     assert_object(NEXT ".so", "next");
 }
 
+static void warnings_are_told(void **state)
+{
+    (void)state;
+    save(STEP ".c", "warned");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_string_equal(watch_warning(watch), "1.3_scatter_diffuse.c:7:1: warning: no return statement");
+    save(STEP ".c", "fine");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_string_equal(watch_warning(watch), "");
+}
+
+static void a_file_like_no_step_is_told(void **state)
+{
+    (void)state;
+    save("1_diffuse_photon_map/.1.3_scatter_diffuse.c", "an editor's");
+    save("1_diffuse_photon_map/1.3_scatter_diffuse.c~", "an editor's");
+    assert_int_equal(next_event(0.3), WATCH_NOTHING);
+    save("1_diffuse_photon_map/1.3_copy.c", "lost");
+    assert_int_equal(next_event(5.0), WATCH_FAILED);
+    assert_ptr_equal(strstr(watch_message(watch), "1.3_copy.c: no step has this name"), watch_message(watch));
+    save(STEP ".c", "found");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+}
+
 static void a_deleted_step_loses_its_object(void **state)
 {
     (void)state;
@@ -210,6 +235,8 @@ int main(void)
         BOTH_WAYS(a_rename_over_is_a_save),
         BOTH_WAYS(errors_are_told),
         BOTH_WAYS(saves_queue_and_restart),
+        BOTH_WAYS(warnings_are_told),
+        cmocka_unit_test_setup_teardown(a_file_like_no_step_is_told, set_up, tear_down), // by inotify alone
         BOTH_WAYS(a_deleted_step_loses_its_object),
         BOTH_WAYS(a_stage_that_comes_later_is_seen),
         cmocka_unit_test(no_folder_is_an_error),

@@ -130,13 +130,9 @@ static void write_numbers(FILE *text)
 
 int main(int count, char **names)
 {
-    Error error = {{0}};
-    FILE *data = open_output(count, names, 1);
-    FILE *text = open_output(count, names, 2);
-    if (!data || !text || !steps_load(NULL, &error)) {
-        fprintf(stderr, "%s\n", error.message);
+    FILE *data, *text;
+    if (!start_figure(count, names, &data, &text))
         return 1;
-    }
     write_curves(data, 20.0);
     write_numbers(text);
     return fclose(data) | fclose(text);

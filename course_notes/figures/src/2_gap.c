@@ -85,13 +85,9 @@ static void write_noise(FILE *text, int n)
 
 int main(int count, char **names)
 {
-    Error error = {{0}};
-    FILE *data = open_output(count, names, 1);
-    FILE *text = open_output(count, names, 2);
-    if (!data || !text || !steps_load(NULL, &error)) {
-        fprintf(stderr, "%s\n", error.message);
+    FILE *data, *text;
+    if (!start_figure(count, names, &data, &text))
         return 1;
-    }
     write_slice(data, text);
     for (int degrees = 20; degrees <= 80; degrees += 20)
         write_leak(text, degrees);

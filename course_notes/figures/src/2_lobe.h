@@ -53,4 +53,16 @@ static inline FILE *open_output(int count, char **names, int number)
     return file;
 }
 
+// Opens both outputs, a table to be drawn and lines of numbers, and loads the reference steps. False after a message.
+static inline bool start_figure(int count, char **names, FILE **data, FILE **text)
+{
+    Error error = {{0}};
+    *data = open_output(count, names, 1);
+    *text = open_output(count, names, 2);
+    if (*data && *text && steps_load(NULL, &error))
+        return true;
+    fprintf(stderr, "%s\n", error.message);
+    return false;
+}
+
 #endif

@@ -89,13 +89,9 @@ static void write_digits(FILE *text)
 
 int main(int count, char **names)
 {
-    Error error = {{0}};
-    FILE *data = open_output(count, names, 1);
-    FILE *text = open_output(count, names, 2);
-    if (!data || !text || !steps_load(NULL, &error)) {
-        fprintf(stderr, "%s\n", error.message);
+    FILE *data, *text;
+    if (!start_figure(count, names, &data, &text))
         return 1;
-    }
     write_histograms(data);
     write_misprint(data, text);
     write_digits(text);
