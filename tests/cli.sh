@@ -170,11 +170,22 @@ rm "$stage1/1.4_russian_roulette.so"
 student 1.3_scatter_diffuse <<'C'
 Vec3 scatter_diffuse(Vec3 normal, Rng *rng)
 {
-    return vec3_scale(normal, rng_float(rng) < 0.5f ? 2.0f : NAN);
+    (void)rng;
+    return vec3_scale(normal, 2.0f);
 }
 C
-expect 0 "a direction that is not of unit length" $play
+expect 0 "at the light: your step 1.3 (scatter_diffuse) gave a direction whose length is 2, not 1" $play
 rm "$stage1/1.3_scatter_diffuse.so"
+
+student 1.1_reflect <<'C'
+Vec3 reflect(Vec3 direction, Vec3 normal)
+{
+    return vec3_scale(normal, vec3_dot(direction, normal) * NAN);
+}
+C
+expect 0 "of them at a mirror: your step 1.1 (reflect) gave a direction whose length is no number (NaN), not 1" \
+    "$program" photons $scene --photons 2000 -o "$work/c.ply" --code "$work/code"
+rm "$stage1/1.1_reflect.so"
 
 echo 'not an object' >"$stage1/1.4_russian_roulette.so"
 expect 1 "step 1.4: cannot load" $play

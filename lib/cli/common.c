@@ -187,10 +187,11 @@ void report_suspects(StepChoice choice)
               "one of your steps may have returned NaN (0/0, or the root of a negative number):");
 }
 
-void report_oddities(const Ledger *ledger, long paths, long unsound)
+void report_oddities(const Ledger *ledger, long paths, const UnsoundPaths *unsound)
 {
     char text[ODDITIES_SIZE];
-    oddities_describe(ledger, paths, unsound, redraw_cap_count(), text, sizeof text);
+    Oddities found = {ledger, paths, unsound, redraw_cap_count(), step_states};
+    oddities_describe(&found, text, sizeof text);
     fputs(text, stderr);
 }
 

@@ -60,7 +60,7 @@ static void print_json(const PhotonPass *pass)
     printf("{\"photons_emitted\":%ld,\"photons_stored\":%zu,\"rays\":%llu,\"seconds\":%.6f,\"redraw_caps\":%ld,"
            "\"unsound\":%ld,",
            pass->emitted, pass->stored, (unsigned long long)pass->segments, pass->seconds, redraw_cap_count(),
-           pass->unsound);
+           pass->unsound.total);
     print_ledger_json(&pass->ledger);
     printf("}\n");
 }
@@ -96,7 +96,7 @@ int command_photons(int count, char **arguments)
     if (!ok)
         return report_error(&error);
     if (!a.quiet) {
-        report_oddities(&pass.ledger, pass.emitted, pass.unsound);
+        report_oddities(&pass.ledger, pass.emitted, &pass.unsound);
         fprintf(stderr, "%s: %zu photons stored of %ld emitted; %.1f s\n", a.out, pass.stored, pass.emitted,
                 pass.seconds);
     }

@@ -66,7 +66,7 @@ static void sum_up(const PhotonPass *pass, Batch *batch)
     memcpy(batch->chance, ledger->chance, sizeof batch->chance);
     memcpy(batch->chance_error, ledger->chance_error, sizeof batch->chance_error);
     batch->segments = (double)pass->segments;
-    batch->unsound = (double)pass->unsound;
+    batch->unsound = (double)pass->unsound.total;
     for (size_t i = 0; i < pass->rest.count; i++)
         count_stored(batch, &pass->rest.photons[i]);
 }

@@ -53,7 +53,7 @@ static bool run_pass(const Scene *scene, PhotonPassOptions *options, long room, 
         return true; // said by the caller
     output->values[head + SCATTER_STORED] = (float)record.stored;
     output->values[head + SCATTER_EMITTED] = (float)pass.emitted;
-    output->values[head + SCATTER_UNSOUND] = (float)pass.unsound;
+    output->values[head + SCATTER_UNSOUND] = (float)pass.unsound.total;
     return true;
 }
 

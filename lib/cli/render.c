@@ -130,7 +130,7 @@ static void print_json(const RenderStats *s)
            "\"unsound\":%ld,",
            s->photons_emitted, s->photons_stored, (unsigned long long)(s->photon_rays + s->eye_rays),
            (unsigned long long)s->photon_rays, (unsigned long long)s->eye_rays, s->map_bytes, s->photon_seconds,
-           s->build_seconds, s->eye_seconds, redraw_cap_count(), s->unsound);
+           s->build_seconds, s->eye_seconds, redraw_cap_count(), s->unsound.total);
     print_ledger_json(&s->ledger);
     printf("}\n");
 }
@@ -175,7 +175,7 @@ int command_render(int count, char **arguments)
         return EXIT_INPUT;
     }
     if (!a.quiet) {
-        report_oddities(&stats.ledger, stats.photons_emitted, stats.unsound);
+        report_oddities(&stats.ledger, stats.photons_emitted, &stats.unsound);
         fprintf(stderr, "%s: %d×%d, %ld photons emitted, %zu stored; %.1f s photons, %.1f s map, %.1f s eye\n", a.out,
                 a.options.settings.width, a.options.settings.height, stats.photons_emitted, stats.photons_stored,
                 stats.photon_seconds, stats.build_seconds, stats.eye_seconds);

@@ -25,18 +25,68 @@ static void describe_energy(const Ledger *ledger, char *text, size_t size)
     }
 }
 
-void oddities_describe(const Ledger *ledger, long paths, long unsound, long redraw_caps, char *text, size_t size)
+// Which steps give directions at which surface, and whose turn it is when none of those is the student's.
+static const struct {
+    const char *place;
+    const char *steps[6];
+} sources[] = {
+    [MATERIAL_DIFFUSE] = {"a diffuse surface", {"1.3", NULL}},
+    [MATERIAL_GLOSSY] = {"a glossy surface", {"1.3", "2.1", "2.2", "2.3", "2.4", NULL}},
+    [MATERIAL_MIRROR] = {"a mirror", {"1.1", NULL}},
+    [MATERIAL_GLASS] = {"glass", {"1.1", "3.1", NULL}},
+    [MATERIAL_LIGHT] = {"the light", {"1.2", "1.3", NULL}},
+};
+static const char *const loops[] = {"1.5", "3.4", NULL};
+
+// "your step 1.3 (scatter_diffuse)", "one of your steps 1.3, 2.4"; false: none of these is the student's.
+static bool name_suspects(const char *const *ids, const StepState *states, char *text, size_t size)
+{
+    const StepInfo *only = NULL;
+    char list[64] = "";
+    int count = 0;
+    for (; *ids; ids++) {
+        const StepInfo *step = step_find(*ids);
+        if (states[step - step_table] != STEP_STUDENT)
+            continue;
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", count++ > 0 ? ", " : "", step->id);
+        only = step;
+    }
+    if (count == 1)
+        snprintf(text, size, "your step %s (%s)", only->id, only->symbol);
+    else
+        snprintf(text, size, "one of your steps %s", list);
+    return count > 0;
+}
+
+static void describe_unsound(const UnsoundPaths *unsound, const StepState *states, char *text, size_t size)
+{
+    int most = 0;
+    for (int i = 1; i <= MATERIAL_LIGHT; i++)
+        if (unsound->at[i] > unsound->at[most])
+            most = i;
+    char who[96], length[32] = "no number (NaN)";
+    if (!name_suspects(sources[most].steps, states, who, sizeof who) && !name_suspects(loops, states, who, sizeof who))
+        snprintf(who, sizeof who, "a step");
+    if (!isnan(unsound->length))
+        snprintf(length, sizeof length, "%.3g", (double)unsound->length);
+    char share[48] = "";
+    if (unsound->at[most] < unsound->total)
+        snprintf(share, sizeof share, ", %ld of them", unsound->at[most]);
+    snprintf(text, size, "%ld paths ended%s at %s: %s gave a direction whose length is %s, not 1\n", unsound->total,
+             share, sources[most].place, who, length);
+}
+
+void oddities_describe(const Oddities *found, char *text, size_t size)
 {
     text[0] = '\0';
-    size_t used = 0;
-    if (redraw_caps > 0)
-        snprintf(text, size, "step 2.3: %ld photons were dropped after %d redraws of the lobe\n", redraw_caps,
+    if (found->redraw_caps > 0)
+        snprintf(text, size, "step 2.3: %ld photons were dropped after %d redraws of the lobe\n", found->redraw_caps,
                  MAX_LOBE_TRIES);
+    size_t used = strlen(text);
+    if (found->unsound->total > 0)
+        describe_unsound(found->unsound, found->states, text + used, size - used);
     used = strlen(text);
-    if (unsound > 0)
-        snprintf(text + used, size - used,
-                 "%ld paths ended since a step gave a direction that is not of unit length (NaN, say)\n", unsound);
-    used = strlen(text);
-    if (paths >= FEWEST_PATHS)
-        describe_energy(ledger, text + used, size - used);
+    if (found->paths >= FEWEST_PATHS)
+        describe_energy(found->ledger, text + used, size - used);
 }

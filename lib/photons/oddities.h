@@ -3,13 +3,22 @@
 #define PHOTONLAB_PHOTONS_ODDITIES_H
 
 #include "photons/photon_pass.h"
+#include "steps/steps.h"
 
 #include <stddef.h>
 
-#define ODDITIES_SIZE 512 // bytes that all of them fit in
+#define ODDITIES_SIZE 640 // bytes that all of them fit in
 
-// Lobes redrawn too often, directions of no length, flux from nowhere: a line for each that is there, each with its
-// newline; an empty text when all is well. `paths`: how many the ledger is of.
-void oddities_describe(const Ledger *ledger, long paths, long unsound, long redraw_caps, char *text, size_t size);
+typedef struct {
+    const Ledger *ledger;
+    long paths; // that the ledger is of
+    const UnsoundPaths *unsound;
+    long redraw_caps;
+    const StepState *states; // STEP_COUNT of them: whose code played
+} Oddities;
+
+// Lobes redrawn too often, directions of no length with the student's steps that may have given them, flux from
+// nowhere: a line for each that is there, each with its newline; an empty text when all is well.
+void oddities_describe(const Oddities *found, char *text, size_t size);
 
 #endif

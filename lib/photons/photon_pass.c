@@ -112,13 +112,22 @@ static void ledger_add(Ledger *sum, const Ledger *part)
     }
 }
 
+void unsound_paths_add(UnsoundPaths *sum, const UnsoundPaths *part)
+{
+    if (sum->total == 0)
+        sum->length = part->length;
+    sum->total += part->total;
+    for (int i = 0; i <= MATERIAL_LIGHT; i++)
+        sum->at[i] += part->at[i];
+}
+
 // Sums the chunks' books in their order and turns the squares into the standard error of the sum.
 static void close_books(PhotonPass *pass, const PhotonTrace *chunks, long chunk_count)
 {
     for (long i = 0; i < chunk_count; i++) {
         ledger_add(&pass->ledger, &chunks[i].ledger);
         pass->segments += chunks[i].segments;
-        pass->unsound += chunks[i].unsound;
+        unsound_paths_add(&pass->unsound, &chunks[i].unsound);
     }
     for (int c = 0; c < 3; c++) {
         double n = (double)pass->emitted;

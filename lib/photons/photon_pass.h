@@ -46,6 +46,13 @@ typedef struct {
     double chance_error[3]; // standard error of chance
 } Ledger;
 
+// Paths that ended because a step gave a direction not of unit length. Counted as escaped.
+typedef struct {
+    long total;
+    long at[MATERIAL_LIGHT + 1]; // by the surface that they left; MATERIAL_LIGHT: as they were emitted
+    float length;                // of the first one's direction; NaN: it is no number
+} UnsoundPaths;
+
 // A bag of stored photons.
 typedef struct {
     StoredPhoton *photons; // from malloc
@@ -59,7 +66,7 @@ typedef struct {
     long emitted; // paths traced
     size_t stored;
     uint64_t segments; // rays traced
-    long unsound;      // paths that ended because a step gave a direction not of unit length; counted as escaped
+    UnsoundPaths unsound;
     double seconds;
 } PhotonPass;
 
@@ -67,6 +74,9 @@ typedef struct {
 // on lack of memory. Free with photon_pass_free; arrays taken over by a map must be zeroed first.
 bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, PhotonPass *pass, Error *error);
 void photon_pass_free(PhotonPass *pass);
+
+// Adds a later part's to the sum.
+void unsound_paths_add(UnsoundPaths *sum, const UnsoundPaths *part);
 
 // A photon from light number `index` carrying the light's whole power (library lights and step 1.2's rectangle).
 Photon light_emit(const Light *light, Rng *rng);

@@ -31,6 +31,14 @@ static void book_arrival(PhotonTrace *trace, const Photon *photon, const Hit *hi
     add_power(trace->path_chance, onward);
 }
 
+static void note_unsound(UnsoundPaths *unsound, const Photon *photon)
+{
+    if (unsound->total++ == 0)
+        unsound->length = vec3_length(photon->direction);
+    const Material *left = photon->left_material;
+    unsound->at[left ? left->type : MATERIAL_LIGHT]++;
+}
+
 bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
 {
     if (photon->left_material)
@@ -41,7 +49,7 @@ bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
         return false;
     }
     if (!(fabsf(vec3_dot(photon->direction, photon->direction) - 1.0f) < 0.01f)) { // NaN is not less
-        trace->unsound++;
+        note_unsound(&trace->unsound, photon);
         add_power(trace->ledger.escaped, photon->power);
         return false;
     }

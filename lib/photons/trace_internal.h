@@ -20,7 +20,7 @@ struct PhotonTrace {
     Ledger ledger;         // chance_error holds the sum of squares over paths until the pass ends
     double path_chance[3]; // the present path's part of ledger.chance
     uint64_t segments;
-    long unsound; // paths ended by a direction that is none
+    UnsoundPaths unsound;
 };
 
 #endif

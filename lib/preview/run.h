@@ -50,7 +50,7 @@ typedef struct {
     double fraction; // 0…1 of the work
     // RUN_FAILED: one line for the student, "1.3_scatter_diffuse.c:14: scatter_diffuse: segmentation fault …"
     char failure[512];
-    char notice[512]; // RUN_DONE: oddities, as report_oddities words them, a line each; "" if none
+    char notice[640]; // RUN_DONE: oddities, as report_oddities words them, a line each; "" if none
 } RunStatus;
 
 typedef struct Run Run;

@@ -32,7 +32,7 @@ static void sum_up(const Run *run, Scatter *scatter)
             add_ledger(&scatter->ledger, scatter->emitted, &part->ledger, part->emitted);
         scatter->emitted += part->emitted;
         scatter->segments += part->segments;
-        scatter->unsound += part->unsound;
+        unsound_paths_add(&scatter->unsound, &part->unsound);
         scatter->redraw_caps += part->redraw_caps;
         scatter->bounces = part->bounces > scatter->bounces ? part->bounces : scatter->bounces;
         scatter->play = part->play;
@@ -47,7 +47,8 @@ void run_describe_oddities(Run *run)
     sum_up(run, &sum);
     if (run->request.kind != RUN_SCATTER)
         sum.ledger = (Ledger){.emitted = {0.0}};
-    oddities_describe(&sum.ledger, sum.emitted, sum.unsound, sum.redraw_caps, text, sizeof text);
+    Oddities found = {&sum.ledger, sum.emitted, &sum.unsound, sum.redraw_caps, sum.states};
+    oddities_describe(&found, text, sizeof text);
     size_t length = strlen(text);
     if (length > 0)
         text[length - 1] = '\0'; // the last newline

@@ -38,7 +38,8 @@ typedef struct {
     int bounces; // the most that a photon had met
     Ledger ledger;
     uint64_t segments;
-    long unsound, redraw_caps;
+    UnsoundPaths unsound;
+    long redraw_caps;
     double seconds;  // from the request until all was there
     double farthest; // that any of the photons and legs had flown, m
     StepState states[STEP_COUNT];

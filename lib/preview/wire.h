@@ -73,7 +73,8 @@ typedef struct {
 
 typedef struct {
     Ledger ledger;
-    long emitted, unsound, redraw_caps;
+    UnsoundPaths unsound;
+    long emitted, redraw_caps;
     uint64_t segments;
     int bounces;
     StepState states[STEP_COUNT];

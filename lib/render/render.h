@@ -29,7 +29,7 @@ typedef struct {
     long photons_emitted;
     size_t photons_stored;
     uint64_t photon_rays; // traced by photons
-    long unsound;         // photons to which a step gave no sound direction
+    UnsoundPaths unsound;
     uint64_t eye_rays;    // camera, shadow and bounce rays
     double photon_seconds, build_seconds, eye_seconds;
     size_t map_bytes;
