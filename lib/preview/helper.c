@@ -1,6 +1,7 @@
 // The helper process: holds the scene, forks workers, and tells when they have ended.
 #define _GNU_SOURCE
 #include "preview/broker.h"
+#include "preview/helper_output.h"
 #include "preview/worker.h"
 #include "parallel.h"
 
@@ -33,6 +34,7 @@ typedef struct {
     pid_t pid; // its own
     WireHeart *hearts;
     Child children[MOST_HEARTS];
+    HelperOutput output;
 } Helper;
 
 static void on_child(int number)
@@ -47,9 +49,10 @@ static void kill_all(const Helper *helper)
             kill(helper->children[i].pid, SIGKILL);
 }
 
-static void end(const Helper *helper)
+static void end(Helper *helper)
 {
     kill_all(helper);
+    output_end(&helper->output);
     _exit(0);
 }
 
@@ -62,6 +65,7 @@ static void become_worker(const Helper *helper, const WireOrder *order, const in
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
     close(helper->socket);
+    output_join(&helper->output);
     for (int i = 0; i < order->workers; i++)
         if (i != index)
             close(pipes[i]);
@@ -73,7 +77,7 @@ static void become_worker(const Helper *helper, const WireOrder *order, const in
     worker_run(&worker, pipes[index]);
 }
 
-static void tell_end(const Helper *helper, uint32_t run, int worker, int status)
+static void tell_end(Helper *helper, uint32_t run, int worker, int status)
 {
     WireEnd message;
     memset(&message, 0, sizeof message);
@@ -86,6 +90,8 @@ static void tell_end(const Helper *helper, uint32_t run, int worker, int status)
 
 static void start(Helper *helper, const WireOrder *order, const int *pipes)
 {
+    if (order->has_code)
+        output_end(&helper->output); // what it prints is counted anew
     for (int i = 0; i < order->workers; i++) {
         Child *child = helper->children;
         while (child->pid)
@@ -152,6 +158,14 @@ static void obey(Helper *helper, const WireOrder *order, const int *pipes)
     }
 }
 
+static bool is_idle(const Helper *helper)
+{
+    for (int i = 0; i < MOST_HEARTS; i++)
+        if (helper->children[i].pid > 0)
+            return false;
+    return true;
+}
+
 static void reap(Helper *helper)
 {
     int status;
@@ -159,6 +173,8 @@ static void reap(Helper *helper)
         for (int i = 0; i < MOST_HEARTS; i++)
             if (helper->children[i].pid == pid) {
                 helper->children[i].pid = 0;
+                if (is_idle(helper))
+                    output_end(&helper->output); // before the window tells of a crash
                 tell_end(helper, helper->children[i].run, helper->children[i].worker, status);
             }
 }
@@ -195,6 +211,7 @@ void helper_run(const Scene *scene, int socket, WireHeart *hearts)
         dup2(nothing, STDIN_FILENO);
         close(nothing);
     }
+    output_open(&helper.output);
     parallel_limit(1);
     sigset_t while_waiting;
     set_signals(&while_waiting);
@@ -202,10 +219,16 @@ void helper_run(const Scene *scene, int socket, WireHeart *hearts)
         fd_set readable;
         FD_ZERO(&readable);
         FD_SET(socket, &readable);
-        int ready = pselect(socket + 1, &readable, NULL, NULL, NULL, &while_waiting);
+        int highest = socket;
+        if (helper.output.read >= 0) {
+            FD_SET(helper.output.read, &readable);
+            highest = helper.output.read > socket ? helper.output.read : socket;
+        }
+        int ready = pselect(highest + 1, &readable, NULL, NULL, NULL, &while_waiting);
+        output_pass_on(&helper.output);
         reap(&helper);
         int pipes[MOST_WORKERS] = {-1, -1, -1, -1, -1, -1, -1, -1};
-        if (ready <= 0)
+        if (ready <= 0 || !FD_ISSET(socket, &readable))
             continue;
         if (!receive(&helper, &order, pipes))
             end(&helper);

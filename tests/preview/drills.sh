@@ -8,7 +8,7 @@ step() {
 
 # drill NAME PATTERN HEAD BODY: the window says PATTERN, keeps its photons, turns, and recovers with the next good save.
 drill() {
-    local name=$1 pattern=$2 before after
+    local name=$1 pattern=$2 before
     before=$(lines_of "$pattern")
     step "$3" "$4" | save $broken
     if wait_for 12 said_again "$pattern" "$before"; then
@@ -21,10 +21,15 @@ drill() {
     else
         bad "$name: no picture, or one without photons"
     fi
+    mend "$name"
+    kill -0 "$window" 2>/dev/null || bad "$name: the window is gone"
+}
+
+mend() {
+    local after
     after=$(lines_of 'after the save')
     save $broken <solutions/$broken
-    wait_for 12 said_again 'after the save' "$after" && good "$name: recovers at the next good save" || bad "$name: does not recover: $(tail -2 "$log")"
-    kill -0 "$window" 2>/dev/null || bad "$name: the window is gone"
+    wait_for 12 said_again 'after the save' "$after" && good "$1: recovers at the next good save" || bad "$1: does not recover: $(tail -2 "$log")"
 }
 
 # A picture without photons is much smaller as a PNG: an empty box of lines.
@@ -33,7 +38,6 @@ photons_in() {
 }
 
 check_drills() {
-    local after
     picture_now full
     drill "segfault" '1\.3.*scatter_diffuse.*segmentation fault' '' \
         'volatile float *nothing = NULL; normal.x = *nothing; return normal;'
@@ -49,11 +53,24 @@ check_drills() {
     drill "build error" '1\.3_scatter_diffuse\.c:[0-9]+:.*error' '' 'return normal'
     drill "undefined symbol" '1\.3.*no_such_function|no_such_function.*1\.3' 'Vec3 no_such_function(Vec3);' 'return no_such_function(normal);'
 
-    # It builds and runs, whatever it gives; what the compiler knows is told.
+    # These build and run, whatever they give; what the compiler knows is told.
     step '' 'rng_float(rng); normal.x += 0.0f;' | save $broken
     wait_for 12 said_again '1\.3_scatter_diffuse\.c:[0-9]+:.*warning.*return' 0 && good "forgotten return: $(grep warning "$log" | tail -1)" ||
         bad "forgotten return: no warning: $(tail -2 "$log")"
-    after=$(lines_of 'after the save')
-    save $broken <solutions/$broken
-    wait_for 12 said_again 'after the save' "$after" || bad "forgotten return: does not recover"
+    mend "forgotten return"
+    step '' 'return vec3_scale(normal, 0.5f + 0.0f * rng_float(rng));' | save $broken
+    wait_for 12 said_again 'one of your steps 1\.2, 1\.3 gave a direction whose length is 0\.5' 0 && good "half a direction: $(grep 'whose length' "$log" | tail -1)" ||
+        bad "half a direction: $(tail -2 "$log")"
+    mend "half a direction"
+    flood
+}
+
+# What a step prints, a million times perhaps, reaches the terminal in part.
+flood() {
+    step '#include <stdio.h>' 'static int calls; printf("call %d of the step\n", ++calls); return vec3_scale(normal, 1.0f + 0.0f * rng_float(rng));' | save $broken
+    wait_for 12 said_again '[0-9]+ more lines that your code printed' 0
+    local shown
+    shown=$(lines_of 'call [0-9]+ of the step')
+    check "$shown == 100 || $shown == 200" "a step that prints: $shown lines, then: $(grep 'more lines' "$log" | tail -1)"
+    mend "a step that prints"
 }
