@@ -273,7 +273,7 @@ int command_probe(int count, char **arguments)
     if (!text)
         return report_error(&error);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what a step prints is out before it crashes
-    probe_watch(a.object ? a.object : "");
+    probe_watch(a.object, a.objects);
     FileWriter writer = {NULL, NULL, NULL};
     bool ok = load(&a, step, graded, &error) && (!a.out || file_write_begin(&writer, a.out, &error));
     ok = ok && run_cases(&a, step, text, a.out ? fileno(writer.stream) : a.fd, &error);

@@ -51,9 +51,10 @@ bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error);
 
 // From here on, a crash writes one line to standard error before the program dies of it:
-//   photonlab-crash signal=11 case=3 address=0x0 stack=near|far peak_kb=N frames=OFFSET,OFFSET…
-// where frames are places in `object`, innermost first. So does running out of processor time (SIGXCPU).
-void probe_watch(const char *object);
+//   photonlab-crash signal=11 case=3 address=0x0 stack=near|far peak_kb=N step=ID frames=OFFSET,OFFSET…
+// where frames are places in `object`, innermost first; of several objects, objects/ID/step.so, in the innermost one that
+// is met, whose ID is told. So does running out of processor time (SIGXCPU). Either may be NULL.
+void probe_watch(const char *object, const char *objects);
 extern volatile int probe_case; // the case that runs
 
 #endif

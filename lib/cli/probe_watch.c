@@ -20,7 +20,8 @@
 #define MOST_PLACES 16
 
 volatile int probe_case = -1;
-static char watched[4096];
+static char watched[4096]; // the object whose places are told; "" until one below `folder` is met
+static char folder[4096];  // with its slash; "": there is none
 
 static void send(const char *from, const char *to)
 {
@@ -28,12 +29,34 @@ static void send(const char *from, const char *to)
     (void)ignored;
 }
 
+// Of several objects it is the first one met, the innermost, that is watched from then on.
+static bool is_watched(const char *file)
+{
+    size_t length = strlen(folder);
+    if (!watched[0] && length > 0 && strncmp(file, folder, length) == 0 && strlen(file) < sizeof watched)
+        memcpy(watched, file, strlen(file) + 1);
+    return strcmp(file, watched) == 0;
+}
+
+// " step=1.3", by the name of the directory that a watched object below `folder` lies in.
+static char *put_step(char *to)
+{
+    if (!folder[0])
+        return to;
+    to = crash_put_text(to, " step=");
+    for (const char *id = watched + strlen(folder); *id && *id != '/'; id++)
+        *to++ = *id;
+    return to;
+}
+
 // `exact`: the very instruction; otherwise a return address, which is one behind the call.
 static char *put_place(char *to, char *place, bool exact, int *written)
 {
     Dl_info info;
-    if (!dladdr(place, &info) || !info.dli_fname || strcmp(info.dli_fname, watched) != 0)
+    if (!dladdr(place, &info) || !info.dli_fname || !is_watched(info.dli_fname))
         return to;
+    if (*written == 0)
+        to = crash_put_text(put_step(to), " frames=");
     to = crash_put_text(to, (*written)++ ? ",0x" : "0x");
     return crash_put_number(to, (unsigned long long)(place - (char *)info.dli_fbase - !exact), 16);
 }
@@ -41,7 +64,7 @@ static char *put_place(char *to, char *place, bool exact, int *written)
 // The instruction is known at once and goes out at once: over a broken stack the way up may not be found.
 static void send_frames(char *place)
 {
-    char line[64 + 20 * MOST_PLACES];
+    char line[512 + 20 * MOST_PLACES]; // with the name of a step's directory
     int written = 0;
     char *to = place ? put_place(line, place, true, &written) : line;
     send(line, to);
@@ -76,7 +99,6 @@ static void report_crash(int number, siginfo_t *info, void *context)
 #endif
     to = crash_put_text(to, " peak_kb=");
     to = crash_put_number(to, where.peak_kb, 10);
-    to = crash_put_text(to, " frames=");
     send(line, to);
     send_frames(where.place);
     // Not by the signal itself, which the first process of a namespace does not die of.
@@ -113,9 +135,11 @@ static void set_alarm(void)
     setitimer(ITIMER_REAL, &timer, NULL);
 }
 
-void probe_watch(const char *object)
+void probe_watch(const char *object, const char *objects)
 {
-    snprintf(watched, sizeof watched, "%s", object);
+    snprintf(watched, sizeof watched, "%s", object ? object : "");
+    if (objects)
+        snprintf(folder, sizeof folder, "%s/", objects);
     const int signals[] = {SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT, SIGXCPU,
                            SIGTRAP, SIGXFSZ, SIGSYS, SIGALRM, SIGTERM, SIGPIPE};
     crash_watch(report_crash, signals, sizeof signals / sizeof *signals);

@@ -17,6 +17,7 @@ typedef struct {
     bool stack_overflow;
     char frames[MOST_PLACES][24];
     int frame_count;
+    char step[8]; // of several; ""
 } LastWords;
 
 // Where the code was, innermost first.
@@ -54,6 +55,9 @@ static void read_last_words(const char *text, LastWords *words)
     words->stack_overflow = far && far < line + length;
     if (call && call < line + length)
         words->syscall = (long long)number_after(line, length, "syscall=", 10);
+    const char *step = strstr(line, " step=");
+    if (step && step < line + length)
+        snprintf(words->step, sizeof words->step, "%.*s", (int)strspn(step + 6, "0123456789."), step + 6);
     if (!frame || frame > line + length)
         return;
     for (frame += 7; words->frame_count < MOST_PLACES && strncmp(frame, "0x", 2) == 0;) {
@@ -187,8 +191,9 @@ static void describe_signal(const GradeOptions *options, const SandboxResult *ra
     int number = words->signal ? words->signal : ran->signal;
     char place[256] = "", in[160] = "";
     if (count > 0) {
-        snprintf(place, sizeof place, " in %s, line %d", places[0].function, places[0].line);
-        snprintf(in, sizeof in, ": it was in %s;", places[0].function);
+        const char *of = words->step[0] ? " of step " : "";
+        snprintf(place, sizeof place, " in %s%s%s, line %d", places[0].function, of, words->step, places[0].line);
+        snprintf(in, sizeof in, ": it was in %s%s%s;", places[0].function, of, words->step);
     }
     bool out_of_memory = ran->memory_mb > 0 && words->peak_kb > ran->memory_mb * 1024 / 4 * 3;
     bool huge = number == SIGSYS && words->syscall == seccomp_syscall_resolve_name("mmap");
@@ -223,6 +228,12 @@ void crash_describe(const GradeOptions *options, const SandboxResult *ran, const
     LastWords words;
     Place places[MOST_PLACES];
     read_last_words(ran->text, &words);
+    char one_of_several[4096];
+    if (!object) {
+        const StepInfo *step = step_find(words.step);
+        snprintf(one_of_several, sizeof one_of_several, "%s/%s/step.so", options->work, step ? step->id : "none");
+        object = one_of_several;
+    }
     int count = find_places(options, &words, object, places);
     if (ran->flooded)
         snprintf(result->message, sizeof result->message, "it printed more than %u MB", SANDBOX_MOST_PRINTED >> 20);

@@ -4,7 +4,8 @@
 
 #include "grade.h"
 
-// Fills in result->message, where and output for a run that did not get through.
+// Fills in result->message, where and output for a run that did not get through. `object` NULL: several steps ran, and
+// the probe says in which of them it was.
 void crash_describe(const GradeOptions *options, const SandboxResult *ran, const char *object, const char *symbol,
                     StepResult *result);
 

@@ -98,7 +98,7 @@ static float *run(const Stage *s, bool reference, uint64_t seed, StageResult *re
     if (result->status == STATUS_SKIP || ran->forged)
         snprintf(result->message, sizeof result->message, "%.1000s", ran->message);
     else if (result->status == STATUS_ERROR) {
-        crash_describe(o, &ran->sandbox, "", "", words_for);
+        crash_describe(o, &ran->sandbox, NULL, "", words_for);
         snprintf(result->message, sizeof result->message, "%s did not get through: %.800s",
                  reference ? "the reference" : result->steps, words_for->message);
     }
