@@ -22,6 +22,8 @@ static const char help[] =
     "  --colour NAME        power, photon, bounce or material\n"
     "  --split              the reference beside it\n"
     "  --camera PX,PY,PZ,TX,TY,TZ   from where and to where; --frame: all of the scene\n"
+    "  --framing ZOOM,RIGHT,UP      of the lobe and the screen: so many times nearer, and so far to the side, in heights\n"
+    "                               of the picture\n"
     "  --flight M           only what has flown no farther than M metres\n"
     "  --size WxH           pixels (1280x720)\n"
     "  --photons N          to emit (200000)\n"
@@ -41,7 +43,7 @@ static const char help[] =
 #define PREVIEW_PATHS   1000
 
 typedef struct {
-    const char *scene, *view, *colour, *camera, *size, *steps, *context, *photons_file, *reference_file;
+    const char *scene, *view, *colour, *camera, *framing, *size, *steps, *context, *photons_file, *reference_file;
     bool every_save, frame, no_wireframe, split, diffuse;
     float exponent, angle, flight;
     int surface, level, bounce;
@@ -109,6 +111,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"colour", FLAG_TEXT, &a->colour, 0, 0},
         {"split", FLAG_PRESENT, &a->split, 0, 0},
         {"camera", FLAG_TEXT, &a->camera, 0, 0},
+        {"framing", FLAG_TEXT, &a->framing, 0, 0},
         {"frame", FLAG_PRESENT, &a->frame, 0, 0},
         {"flight", FLAG_FLOAT, &a->flight, 0, 1e30},
         {"size", FLAG_TEXT, &a->size, 0, 0},
@@ -159,6 +162,10 @@ static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *
         return error_set(error, "--camera %s: expected numbers that are not too large", a->camera);
     if (a->camera)
         view->orbit = orbit_look(p, t, view->orbit.vertical_fov);
+    Framing *f = &view->framing;
+    if (a->framing && (sscanf(a->framing, "%f,%f,%f%c", &f->zoom, &f->right, &f->up, &after) != 3 ||
+                       !(f->zoom >= LEAST_ZOOM && f->zoom <= MOST_ZOOM && isfinite(f->right) && isfinite(f->up))))
+        return error_set(error, "--framing %s: expected ZOOM,RIGHT,UP, e.g. 2,0.3,0", a->framing);
     if (a->frame)
         orbit_frame(&view->orbit, bvh_bounds(scene->bvh), (float)a->options.width / (float)a->options.height);
     return true;

@@ -39,17 +39,27 @@ void app_moved(App *app)
 
 void app_drag(App *app, int button, bool shift, float right, float down)
 {
-    float height = (float)app->height;
-    if (button == 0 && !shift)
-        orbit_turn(&app->view.orbit, 4.0f * right / height, 4.0f * down / height);
-    else
-        orbit_pan(&app->view.orbit, -right / height, down / height);
+    View *view = &app->view;
+    right /= (float)app->height;
+    down /= (float)app->height;
+    if (button == 0 && !shift && view->kind != VIEW_SCREEN) {
+        orbit_turn(&view->orbit, 4.0f * right, 4.0f * down);
+    } else if (view_is_framed(view)) {
+        view->framing.right -= right / view->framing.zoom;
+        view->framing.up += down / view->framing.zoom;
+    } else {
+        orbit_pan(&view->orbit, -right, down);
+    }
     app_moved(app);
 }
 
 void app_scroll(App *app, float notches)
 {
-    orbit_zoom(&app->view.orbit, powf(0.9f, notches));
+    View *view = &app->view;
+    if (view_is_framed(view))
+        view->framing.zoom = fminf(fmaxf(view->framing.zoom * powf(0.9f, -notches), LEAST_ZOOM), MOST_ZOOM);
+    else
+        orbit_zoom(&view->orbit, powf(0.9f, notches));
     app_moved(app);
 }
 

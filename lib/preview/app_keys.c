@@ -143,11 +143,15 @@ void app_key(App *app, int key)
         session_lobe_changed(&app->session, view);
         return;
     case 'f':
-        orbit_frame(&view->orbit, bvh_bounds(app->scene->bvh), (float)app->width / (float)app->height);
+        if (view_is_framed(view))
+            view->framing = FRAMING_DEFAULT;
+        else
+            orbit_frame(&view->orbit, bvh_bounds(app->scene->bvh), (float)app->width / (float)app->height);
         app_moved(app);
         return;
     case '0':
         view->orbit = app->options->view.orbit;
+        view->framing = app->options->view.framing;
         app_moved(app);
         return;
     case 'r':

@@ -1,6 +1,7 @@
 #include "preview/snapshot.h"
 #include "preview/window.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -65,31 +66,58 @@ void session_draw(const Session *session, Canvas *canvas, const View *view, bool
     free(picture);
 }
 
+// snprintf at the end of what is there; cut off where there is no room.
+static void append(char *text, size_t size, const char *format, ...)
+{
+    size_t length = strlen(text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text + length, size - length, format, arguments);
+    va_end(arguments);
+}
+
+static void append_view(const View *view, char *text, size_t size)
+{
+    append(text, size, " --view %s --colour %s", view_kind_name(view->kind), colour_mode_name(view->colour));
+    const Framing *framing = &view->framing;
+    if (view->kind == VIEW_LOBE)
+        append(text, size, " --exponent %g --angle %g%s", (double)view->exponent, (double)view->angle,
+               view->diffuse ? " --diffuse" : "");
+    if (view->kind == VIEW_PATHS && view->path >= 0)
+        append(text, size, " --path %ld", view->path);
+    if (view->kind == VIEW_PATHS && view->bounce >= 0)
+        append(text, size, " --bounce %d", view->bounce);
+    if (view->kind == VIEW_SCREEN && view->surface >= 0)
+        append(text, size, " --surface %d", view->surface);
+    if (view->kind == VIEW_TREE)
+        append(text, size, " --level %d", view->level);
+    if (view_is_framed(view) && (framing->zoom != 1.0f || framing->right != 0.0f || framing->up != 0.0f))
+        append(text, size, " --framing %.4g,%.4g,%.4g", (double)framing->zoom, (double)framing->right,
+               (double)framing->up);
+    if (view->flight >= 0.0)
+        append(text, size, " --flight %.4g", view->flight);
+    if (view->split)
+        append(text, size, " --split");
+    if (!view->wireframe)
+        append(text, size, " --no-wireframe");
+}
+
 void snapshot_command(const PreviewOptions *options, const View *view, const Session *session, int width, int height,
                       char *text, size_t size)
 {
     Camera camera = orbit_camera(&view->orbit);
     Vec3 p = camera.position, t = view->orbit.target;
-    size_t length = (size_t)snprintf(
-        text, size,
-        "build/photonlab preview %s --snapshot %s --view %s --colour %s --size %dx%d --photons %ld --seed %llu "
-        "--camera %.5g,%.5g,%.5g,%.5g,%.5g,%.5g",
-        options->scene_path, options->snapshot, view_kind_name(view->kind), colour_mode_name(view->colour), width,
-        height, session->photons, (unsigned long long)session->seed, (double)p.x, (double)p.y, (double)p.z, (double)t.x,
-        (double)t.y, (double)t.z);
-    if (options->code && length < size)
-        length += (size_t)snprintf(text + length, size - length, " --code %s", options->code);
-    if (view->split && length < size)
-        length += (size_t)snprintf(text + length, size - length, " --split");
-    if (view->kind == VIEW_LOBE && length < size)
-        length += (size_t)snprintf(text + length, size - length, " --exponent %g --angle %g%s", (double)view->exponent,
-                                   (double)view->angle, view->diffuse ? " --diffuse" : "");
-    if (view->kind == VIEW_PATHS && view->path >= 0 && length < size)
-        length += (size_t)snprintf(text + length, size - length, " --path %ld --bounce %d", view->path, view->bounce);
-    if (view->kind == VIEW_SCREEN && view->surface >= 0 && length < size)
-        length += (size_t)snprintf(text + length, size - length, " --surface %d", view->surface);
-    if (view->kind == VIEW_TREE && length < size)
-        snprintf(text + length, size - length, " --level %d", view->level);
+    snprintf(text, size,
+             "build/photonlab preview %s --snapshot %s --size %dx%d --photons %ld --seed %llu "
+             "--camera %.5g,%.5g,%.5g,%.5g,%.5g,%.5g",
+             options->scene_path, options->snapshot, width, height, session->photons, (unsigned long long)session->seed,
+             (double)p.x, (double)p.y, (double)p.z, (double)t.x, (double)t.y, (double)t.z);
+    append_view(view, text, size);
+    if (options->code)
+        append(text, size, " --code %s", options->code);
+    if (options->play_is_given)
+        append(text, size, " --steps %s,%s", options->play.glossy == GLOSSY_PHONG ? "2.4" : "2.3",
+               options->play.loop ? "1.5" : "3.4");
 }
 
 // Where a snapshot is drawn: without a display, or in a window that is not shown.

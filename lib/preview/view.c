@@ -40,12 +40,24 @@ const char *colour_mode_name(ColourMode colour)
     return COLOURS[colour];
 }
 
+bool view_is_framed(const View *view)
+{
+    return view->kind == VIEW_LOBE || view->kind == VIEW_SCREEN;
+}
+
+void pane_frame(const Framing *framing, Orbit *orbit)
+{
+    orbit->distance /= framing->zoom;
+    orbit_pan(orbit, framing->right * framing->zoom, framing->up * framing->zoom);
+}
+
 View view_default(const Scene *scene)
 {
     return (View){
         .kind = VIEW_POINTS,
         .colour = COLOUR_POWER,
         .orbit = orbit_of_camera(&scene->camera, bvh_bounds(scene->bvh)),
+        .framing = FRAMING_DEFAULT,
         .wireframe = true,
         .path = -1,
         .bounce = -1,

@@ -17,11 +17,20 @@ typedef enum {
 typedef enum { COLOUR_POWER, COLOUR_PHOTON, COLOUR_BOUNCE, COLOUR_MATERIAL } ColourMode;
 #define COLOUR_COUNT 4
 
+// Of the lobe and the screen, which have no place in the scene: how many times nearer than at first, and how far to the
+// side, in heights of the picture as it was at first.
+typedef struct {
+    float zoom, right, up;
+} Framing;
+#define LEAST_ZOOM 0.01f
+#define MOST_ZOOM  1e4f
+
 // All that decides what a picture looks like, apart from the photons.
 typedef struct {
     ViewKind kind;
     ColourMode colour;
     Orbit orbit;
+    Framing framing;
     bool split;            // the reference beside the student's
     bool wireframe;        // of the scene
     long path;             // VIEW_PATHS: the chosen one, −1: all alike
@@ -36,6 +45,8 @@ typedef struct {
 } View;
 
 View view_default(const Scene *scene);
+#define FRAMING_DEFAULT ((Framing){1.0f, 0.0f, 0.0f})
+bool view_is_framed(const View *view);                        // the lobe or the screen?
 bool view_kind_parse(const char *name, ViewKind *kind);       // points, paths, lobe, screen, tree
 bool colour_mode_parse(const char *name, ColourMode *colour); // power, photon, bounce, material
 const char *view_kind_name(ViewKind kind);

@@ -68,6 +68,9 @@ void pane_look(const Pane *pane, const Orbit *orbit, Box box);
 // The same, everything moved by so many pixels: lines drawn twice are twice as wide.
 void pane_look_beside(const Pane *pane, const Orbit *orbit, Box box, float right, float down);
 
+// Nearer and to the side, as the view says, from where the lobe or the screen is seen at first.
+void pane_frame(const Framing *framing, Orbit *orbit);
+
 void view_points_draw(const Pane *pane);
 void view_paths_draw(const Pane *pane);
 void view_lobe_draw(const Pane *pane);

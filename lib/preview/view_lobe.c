@@ -168,11 +168,10 @@ void lobe_cloud(const Lobe *lobe, Side *side, Vertices *list)
         photon_map_free(map);
 }
 
-// Turned and zoomed as the scene is, but from where the stage is seen best.
+// Turned as the scene is, but from where the stage is seen best.
 static Orbit stage_orbit(const Pane *pane)
 {
     Orbit start = orbit_of_camera(&pane->scene->camera, bvh_bounds(pane->scene->bvh)), orbit = pane->view->orbit;
-    float zoom = orbit.distance / start.distance;
     orbit.yaw -= start.yaw;
     orbit.pitch -= start.pitch;
     orbit.vertical_fov = 35.0f;
@@ -180,7 +179,8 @@ static Orbit stage_orbit(const Pane *pane)
     float aspect = (float)pane->width / (float)pane->height;
     orbit_frame(&orbit, (Box){{-1, -0.05f, -1}, {1, 1.25f, 1}}, aspect);
     orbit.target = vec3(0, 0.5f, 0);
-    orbit.distance *= 0.8f * zoom;
+    orbit.distance *= 0.8f;
+    pane_frame(&pane->view->framing, &orbit);
     return orbit;
 }
 

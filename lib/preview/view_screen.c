@@ -132,9 +132,10 @@ void view_screen_draw(const Pane *pane)
     Box box = box_empty();
     for (int i = 0; i < 4; i++)
         box_add_point(&box, sheet_point(&sheet, (float)(i & 1), (float)(i >> 1)));
-    Orbit orbit = {.vertical_fov = 20.0f}, start = orbit_of_camera(&pane->scene->camera, bvh_bounds(pane->scene->bvh));
+    Orbit orbit = {.vertical_fov = 20.0f};
     orbit_frame(&orbit, box, (float)pane->width / (float)pane->height);
-    orbit.distance *= 1.25f * view->orbit.distance / start.distance; // room for the words
+    orbit.distance *= 1.25f; // room for the words
+    pane_frame(&view->framing, &orbit);
     pane_look(pane, &orbit, box);
     batch_draw(pane->canvas, side->screen.batch, 0, side->arrivals_inside,
                &(DrawStyle){.kind = DRAW_LINES, .no_depth = true});

@@ -35,7 +35,8 @@ window_start() {
     "$program" preview "$scene" --code "$objects" --watch "$student" --build "$preview_build" \
         --snapshot "$work/snapshot.png" "$@" >"$log" 2>&1 &
     window=$!
-    wait_for 20 grep -q 'after the start' "$log"
+    wait_for 20 grep -q 'after the start' "$log" || return 1
+    xdotool mousemove 320 240 # without a window manager, keys go where the mouse is
 }
 
 window_end() {

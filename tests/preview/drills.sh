@@ -38,7 +38,7 @@ photons_in() {
 }
 
 check_drills() {
-    picture_now full
+    picture_now full || { bad "no picture of the whole"; return; }
     drill "segfault" '1\.3.*scatter_diffuse.*segmentation fault' '' \
         'volatile float *nothing = NULL; normal.x = *nothing; return normal;'
     drill "endless loop" '1\.3.*scatter_diffuse.*endless' '' \

@@ -50,6 +50,10 @@ check_keys() {
     differs "d: diffuse" eval 'key d; sleep 0.5'
     differs "4: a screen" key 4
     differs "right: another surface" key Right
+    differs "drag: moves the screen" drag 1 60 20
+    differs "wheel: the screen nearer" xdotool click 4
+    grep -qE 'view screen .*--framing 1\.1[0-9]*,-?0\.[0-9]+,-?0\.' "$log" && good "s: tells the command, with its framing" || bad "s: $(grep -- '--view screen' "$log" | tail -1)"
+    differs "f: frames the screen" key f
     differs "5: the tree" key 5
     differs "up: another depth" key Up
     differs "1: points" key 1
