@@ -87,6 +87,7 @@ void oddities_describe(const Oddities *found, char *text, size_t size)
     if (found->unsound->total > 0)
         describe_unsound(found->unsound, found->states, text + used, size - used);
     used = strlen(text);
-    if (found->paths >= FEWEST_PATHS)
+    // What paths that ended too early would have brought is missing, and no fault of a weight.
+    if (found->paths >= FEWEST_PATHS && found->unsound->total == 0)
         describe_energy(found->ledger, text + used, size - used);
 }

@@ -48,7 +48,8 @@ typedef struct {
     size_t slot;              // offset in Steps
 } StepInfo;
 
-#define STEP_COUNT 15
+#define STEP_COUNT  15
+#define STAGE_COUNT 3 // the last step's stage
 extern const StepInfo step_table[STEP_COUNT];
 
 // The step of this id; NULL: there is none.

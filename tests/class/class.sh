@@ -63,10 +63,11 @@ table() {
 }
 table || exit 2
 
+points=${PHOTONLAB_POINTS:-$root/tests/judge/points.txt}
 # One grading of nothing, to find out whether this machine can grade at all.
 mkdir -p "$out/.parts/empty" "$out/.parts/empty-test" "$out/.parts/total"
 "$build/judge" --root "$root" --build "$build" --code "$out/.parts/empty" --work "$out/.parts/empty-test" \
-    --points "$root/tests/judge/points.txt" --report "$out/.parts/total" --credit >/dev/null 2>"$out/.parts/why" ||
+    --points "$points" --report "$out/.parts/total" --credit >/dev/null 2>"$out/.parts/why" ||
     stop "$(cat "$out/.parts/why")"
 
 # Parts that a killed run had completed but not moved. All else in there is unfinished.
@@ -80,7 +81,7 @@ rm -rf "$out"/.parts/part.* "$out"/.parts/old.* "$out"/.parts/empty*
 # Whatever a verdict hangs on: another judge, points table, compiler or reference grades anew.
 judge_key() {
     {
-        cat "$build/judge" "$build/photonlab" "$build/libphotonlab.so" "$build"/solutions/*/*.so
+        cat "$build/judge" "$build/photonlab" "$build/libphotonlab.so" "$build"/solutions/*/*.so "$points"
         find "$root/tests/steps" "$root/tests/judge" "$root/tests/mistakes" "$root/tests/reference/pictures" -type f \( -name '*.txt' -o -name \
             '*.yaml' \) \
             -print0 2>/dev/null | LC_ALL=C sort -z | xargs -0 -r cat
@@ -90,7 +91,7 @@ judge_key() {
 }
 config=$out/.parts/.config
 {
-    printf 'ROOT=%q\nBUILD=%q\nOUT=%q\n' "$root" "$build" "$out"
+    printf 'ROOT=%q\nBUILD=%q\nOUT=%q\nPOINTS=%q\n' "$root" "$build" "$out" "$points"
     printf 'CC=%q\nFLAGS=%q\nLINK=%q\n' "$PHOTONLAB_CC" "$PHOTONLAB_FLAGS" "$PHOTONLAB_LINK"
     printf 'SALT=%q\nREGRADE=%q\nJUDGE_KEY=%q\nSECONDS_EACH=%q\n' "${PHOTONLAB_SALT:-}" \
         "${PHOTONLAB_REGRADE:-}" "$(judge_key)" \

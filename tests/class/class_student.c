@@ -28,7 +28,7 @@ static void read_step(const json_t *json, Student *student)
     copy_text(json, "status", student->steps[i].status, sizeof student->steps[i].status);
     copy_text(json, "mistake", student->steps[i].mistake, sizeof student->steps[i].mistake);
     copy_text(json, "looks_like", student->steps[i].looks_like, sizeof student->steps[i].looks_like);
-    if (step->stage >= 1 && step->stage <= STAGES)
+    if (step->stage >= 1 && step->stage <= STAGE_COUNT)
         student->stage_points[step->stage - 1] += student->steps[i].points;
 }
 

@@ -4,6 +4,7 @@
 #include "class_table.h"
 #include "file.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -64,11 +65,16 @@ static void write_head(FILE *stream, const Csv *roster)
     for (size_t c = 0; roster && c < roster->columns; c++)
         csv_write(stream, csv_cell(roster, 0, c), c == 0);
     fprintf(stream, "%ssubmission,status%s,points,points_max", roster ? "," : "", roster ? ",in_roster" : "");
-    for (int i = 1; i <= STAGES; i++)
+    for (int i = 1; i <= STAGE_COUNT; i++)
         fprintf(stream, ",stage_%d", i);
     for (size_t i = 0; i < STEP_COUNT; i++)
         fprintf(stream, ",%s", step_table[i].id);
     fputs(",passed,failed,errors,not_started,skipped,likely_mistakes,message,seconds\n", stream);
+}
+
+static void write_points(FILE *stream, double points)
+{
+    fprintf(stream, ",%.10g", round(1e4 * points) / 1e4);
 }
 
 static void write_row(FILE *stream, const Csv *roster, const TableRow *row)
@@ -81,11 +87,12 @@ static void write_row(FILE *stream, const Csv *roster, const TableRow *row)
     csv_write(stream, s->status, false);
     if (roster)
         csv_write(stream, s->in_roster ? "yes" : "no", false);
-    fprintf(stream, ",%.10g,%.10g", s->points, s->points_max);
-    for (int i = 0; i < STAGES; i++)
-        fprintf(stream, ",%.10g", s->stage_points[i]);
+    write_points(stream, s->points);
+    write_points(stream, s->points_max);
+    for (int i = 0; i < STAGE_COUNT; i++)
+        write_points(stream, s->stage_points[i]);
     for (size_t i = 0; i < STEP_COUNT; i++)
-        fprintf(stream, ",%.10g", s->steps[i].points);
+        write_points(stream, s->steps[i].points);
     static const char *const statuses[] = {"pass", "fail", "error", "todo", "skip"};
     for (size_t i = 0; i < sizeof statuses / sizeof *statuses; i++)
         fprintf(stream, ",%zu", student_count(s, statuses[i]));

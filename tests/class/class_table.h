@@ -9,8 +9,6 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#define STAGES 3
-
 typedef struct {
     char *bytes;          // what the cells point into
     char **cells;         // row after row
@@ -30,7 +28,7 @@ typedef struct {
     const char *name;
     char message[6200];
     char status[32]; // "graded", "partly graded", "unreadable", "not graded" (why: message), "no submission"
-    double seconds, points, points_max, stage_points[STAGES];
+    double seconds, points, points_max, stage_points[STAGE_COUNT];
     bool in_roster, has_page;
     struct {
         char status[8], mistake[64], looks_like[400]; // the mistake's name, and what students read

@@ -11,6 +11,7 @@ work=$(mktemp -d "$PHOTONLAB_OUT/.making.XXXXXX") || exit 2
 trap 'rm -rf "$work"' EXIT
 unused='^tests/(alternatives|attacks|unit|bench|fuzz|malformed|agreement)/|^tests/mistakes/.*/|^exercises/[^.]|\.png$|\.pfm\.xz$'
 framework_files | grep -vE "$unused" | copy_files "$work/photonlab" || exit 1
+[ -z "${PHOTONLAB_POINTS:-}" ] || cp "$PHOTONLAB_POINTS" "$work/photonlab/tests/judge/points.txt" || exit 1
 cp "$here/gradescope/setup.sh" "$here/gradescope/run_autograder" "$work/" || exit 1
 # Cases that students have not seen at home, the same for all: made once, and kept when the zip is made again.
 archive=$PHOTONLAB_OUT/autograder.zip

@@ -47,6 +47,9 @@ if [ -f "$room/switch" ]; then
 fi
 rm -rf "$room"
 
+ls solutions/*/*.c >/dev/null 2>&1 &&
+    stop "this is the whole photonlab, with its solutions, and what students get has other files. Update it with git."
+
 # ---- the first half: nothing outside .update/ is touched
 
 from=${PHOTONLAB_FROM:-}

@@ -76,7 +76,7 @@ static int exit_code(const Arguments *a, const StepResult *results, int count, c
         all = all && results[i].status == STATUS_PASS;
         none_fails = none_fails && (results[i].status == STATUS_PASS || results[i].status == STATUS_TODO);
     }
-    for (int i = 0; i < STAGES; i++) {
+    for (int i = 0; i < STAGE_COUNT; i++) {
         if (stages[i].stage > 0 && stages[i].status == STATUS_SKIP)
             return EXIT_UNGRADED;
         none_fails = none_fails && stages[i].status != STATUS_FAIL && stages[i].status != STATUS_ERROR;
@@ -125,7 +125,7 @@ static bool report(const Arguments *a, double seconds, const StepResult *results
 
 static int run(Arguments *a, const PointsTable *points, StepResult *results)
 {
-    StageResult stages[STAGES] = {{0}};
+    StageResult stages[STAGE_COUNT] = {{0}};
     double start = clock_seconds();
     Error error = {""};
     int count = grade(a, points, results);
@@ -167,7 +167,7 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
     if (!ok)
         fprintf(stderr, "judge: %s\n", error.message);
     int code = exit_code(a, results, count, stages);
-    for (int i = 0; i < STAGES; i++)
+    for (int i = 0; i < STAGE_COUNT; i++)
         stage_result_free(&stages[i]);
     for (int i = 0; i < count; i++)
         step_result_free(&results[i]);

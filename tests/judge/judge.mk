@@ -33,7 +33,9 @@ test-sanitized:
 ## report          the same, and build/report/: index.html with your pictures, junit.xml, report.tap, results for Gradescope and PrairieLearn
 WRITE_REPORTS = $(BUILD)/write_reports
 report: judge $(WRITE_REPORTS)
-	@$(JUDGE_RUN) --report $(BUILD)/report; code=$$?; $(WRITE_REPORTS) $(if $(wildcard $(BUILD)/notes/index.html),--notes ../notes) $(BUILD)/report && exit $$code
+	@$(JUDGE_RUN) --report $(BUILD)/report; code=$$?; \
+	$(WRITE_REPORTS) $(if $(wildcard $(BUILD)/notes/index.html),--notes ../notes) $(BUILD)/report && \
+	$(if $(wildcard $(BUILD)/notes/index.html),:,echo "(after \`make notes\` its chapters are links)") && exit $$code
 
 REPORT_SOURCES = $(wildcard tests/judge/report/*.c)
 $(WRITE_REPORTS): $(call object,$(REPORT_SOURCES)) $(LIBRARY)

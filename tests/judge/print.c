@@ -214,10 +214,11 @@ static void print_stage(const Terminal *terminal, const StepInfo *step)
 }
 
 // Behind the steps of its stage. A pass says in few words what it is that passed.
-static void print_scatter(const Terminal *terminal, const StageResult *stage, bool verbose)
+static void print_scatter(const Terminal *terminal, const StageResult *stages, int number, bool verbose)
 {
     char line[1200];
-    if (stage->stage == 0 || stage->status == STATUS_TODO)
+    const StageResult *stage = number > 0 && number <= STAGE_COUNT ? &stages[number - 1] : NULL;
+    if (!stage || stage->stage == 0 || stage->status == STATUS_TODO)
         return;
     paint(terminal, colours[stage->status]);
     printf("  %s ", marks[stage->status]);
@@ -266,15 +267,13 @@ void print_results(const StepResult *results, int count, const StageResult *stag
         if (results[i].hidden)
             continue;
         if (results[i].step->stage != stage) {
-            if (stage > 0)
-                print_scatter(&terminal, &stages[stage - 1], verbose);
+            print_scatter(&terminal, stages, stage, verbose);
             print_stage(&terminal, results[i].step);
         }
         stage = results[i].step->stage;
         print_step(&terminal, &results[i], verbose);
     }
-    if (stage > 0)
-        print_scatter(&terminal, &stages[stage - 1], verbose);
+    print_scatter(&terminal, stages, stage, verbose);
     print_sums(results, count);
     fflush(stdout);
 }

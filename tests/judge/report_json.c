@@ -104,7 +104,7 @@ static int count_status(const StepResult *results, int count, Status status)
 static json_t *scatters_json(const StageResult *stages)
 {
     json_t *array = json_array();
-    for (int i = 0; i < STAGES; i++) {
+    for (int i = 0; i < STAGE_COUNT; i++) {
         const StageResult *s = &stages[i];
         bool judged = s->tests > 0 && (s->status == STATUS_PASS || s->status == STATUS_FAIL);
         if (s->stage == 0 || s->status == STATUS_TODO)

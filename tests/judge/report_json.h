@@ -10,7 +10,7 @@ typedef struct {
     double seconds;
 } ReportHead;
 
-// Writes directory/report.json and directory/pictures/*.pfm. `stages`: STAGES of them; see print_results.
+// Writes directory/report.json and directory/pictures/*.pfm. `stages`: STAGE_COUNT of them; see print_results.
 bool report_json_write(const char *directory, const ReportHead *head, const StepResult *results, int count,
                        const StageResult *stages, Error *error);
 

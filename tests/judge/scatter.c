@@ -12,9 +12,11 @@
 
 #define LEVEL 1e-3 // as a step's: chance that right code fails in the first round
 
-const ScatterStage scatter_stages[STAGES] = {{"tests/steps/scenes/scatter_1.yaml", 24000, 16, "power"},
-                                             {"tests/steps/scenes/scatter_2.yaml", 16000, 16, "power"},
-                                             {"tests/steps/scenes/scatter_3.yaml", 12000, 16, "photon"}};
+const ScatterStage scatter_stages[STAGE_COUNT] = {
+    [0] = {"tests/steps/scenes/scatter_1.yaml", 24000, 16, "power"},
+    [1] = {"tests/steps/scenes/scatter_2.yaml", 16000, 16, "power"},
+    [2] = {"tests/steps/scenes/scatter_3.yaml", 12000, 16, "photon"},
+};
 
 // Who plays: the student's steps by their place in the table.
 typedef struct {
@@ -160,7 +162,7 @@ void grade_scatter(const GradeOptions *options, int stage, const StepResult *gra
     *result = (StageResult){.stage = stage, .status = STATUS_TODO, .p = 1.0};
     Stage s = {.options = options, .stage = &scatter_stages[stage - 1]};
     choose_cast(stage, graded, count, &s.cast);
-    if (!*s.cast.list)
+    if (!s.stage->scene || !*s.cast.list)
         return;
     for (const char *c = s.cast.list; *c; c++)
         result->steps[c - s.cast.list] = *c == ',' ? ' ' : *c;

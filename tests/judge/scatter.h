@@ -6,8 +6,6 @@
 
 #include "grade.h"
 
-#define STAGES 3
-
 typedef struct {
     int stage;          // 0: not asked for
     Status status;      // STATUS_TODO: no step that a photon meets is started, nothing was run
@@ -30,17 +28,17 @@ void stage_result_free(StageResult *result);
 // Writes directory/pictures/scatter_N.png by `photonlab preview`, which needs no display.
 void scatter_draw(const GradeOptions *options, const char *directory, StageResult *result);
 
-// What the person at the terminal reads. The stages are STAGES, each with its number, or 0 where none was asked for.
+// What the person at the terminal reads. The stages are STAGE_COUNT, each with its number, or 0 where none was asked for.
 void print_results(const StepResult *results, int count, const StageResult *stages, bool verbose);
 
 // Where a stage's photons fly.
 typedef struct {
-    const char *scene; // from the root
+    const char *scene; // from the root; NULL: this stage has none, and is judged by its steps alone
     long photons;      // emitted; some 30,000 to 40,000 come to rest
     int depth;
     const char *colour; // of the picture's points: what `photonlab preview --colour` takes
 } ScatterStage;
-extern const ScatterStage scatter_stages[STAGES];
+extern const ScatterStage scatter_stages[STAGE_COUNT];
 #define SCATTER_ROOM 60000L
 
 // ---- scatter_compare.c

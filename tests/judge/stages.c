@@ -7,7 +7,7 @@ void stages_grade(const Arguments *a, const StepResult *results, int count, Stag
     if (a->step || a->features)
         return;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(parallel_threads(a->jobs))
-    for (int i = 0; i < STAGES; i++) {
+    for (int i = 0; i < STAGE_COUNT; i++) {
         if (a->stage != 0 && a->stage != i + 1)
             continue;
         grade_scatter(&a->grade, i + 1, results, count, &stages[i]);
@@ -22,7 +22,7 @@ int stages_measure(const Arguments *a, StepResult *results, int count)
     for (int i = 0; i < count; i++)
         grade_step(&a->grade, results[i].step, &results[i]);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(parallel_threads(a->jobs))
-    for (int i = 0; i < STAGES; i++) {
+    for (int i = 0; i < STAGE_COUNT; i++) {
         for (int n = 0; n < a->scatters; n++) {
             char salt[200];
             GradeOptions options = a->grade;

@@ -5,7 +5,7 @@
 #include "arguments.h"
 #include "scatter.h"
 
-// All steps of a stage together; not where one step alone is asked for. Fills STAGES of them, zeroed before.
+// All steps of a stage together; not where one step alone is asked for. Fills STAGE_COUNT of them, zeroed before.
 void stages_grade(const Arguments *a, const StepResult *results, int count, StageResult *stages);
 
 // Compiles the steps and prints a line per stage and salt: how often right code is called wrong, and which mistakes are

@@ -219,9 +219,23 @@ static void split_colour_once(void **state)
     assert_memory_equal(&children[0].power, &white.power, sizeof(Colour));
 }
 
+static void table_is_in_order(void **state)
+{
+    (void)state;
+    assert_int_equal(step_table[0].stage, 1);
+    for (int i = 1; i < STEP_COUNT; i++) {
+        assert_true(strcmp(step_table[i - 1].id, step_table[i].id) < 0);
+        assert_in_range(step_table[i].stage - step_table[i - 1].stage, 0, 1);
+    }
+    assert_int_equal(step_table[STEP_COUNT - 1].stage, STAGE_COUNT);
+    for (int i = 0; i < STEP_COUNT; i++)
+        assert_ptr_equal(step_find(step_table[i].id), &step_table[i]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(table_is_in_order),
         cmocka_unit_test(reflect_mirrors),
         cmocka_unit_test(emit_photon_covers_the_light),
         cmocka_unit_test(scatter_diffuse_is_lambert),

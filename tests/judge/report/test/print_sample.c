@@ -47,7 +47,7 @@ int main(int count, char **words)
     snprintf(results[10].where, sizeof results[10].where, "refract, line 9");
     set(&results[13], STATUS_TODO, "not started", "");
     set(&results[14], STATUS_SKIP, "no debugger", "");
-    StageResult stages[STAGES] = {
+    StageResult stages[STAGE_COUNT] = {
         {.stage = 1, .status = STATUS_PASS, .steps = "1.1 1.3", .p = 0.2, .threshold = 2e-6, .tests = 500},
         {.stage = 2,
          .status = STATUS_FAIL,
