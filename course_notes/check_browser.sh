@@ -35,6 +35,32 @@ function measure() {
     const images = [...page.images], formulas = [...page.querySelectorAll("math")];
     images.forEach(i => { if (!(i.naturalWidth > 0 && i.getBoundingClientRect().height > 20)) said.push("BAD not visible: " + about(i)); });
     formulas.forEach(m => { if (m.getBoundingClientRect().height < 3) said.push("BAD without height: " + about(m)); });
+    page.querySelectorAll(".wide > table").forEach(t => {
+        const box = t.parentElement, scrolls = box.scrollWidth > box.clientWidth;
+        if (!scrolls) return;
+        t.style.cssText = "min-width: 0; width: max-content; white-space: nowrap";
+        if (t.offsetWidth <= box.clientWidth) said.push("BAD scrolls, but would fit: " + about(t));
+        t.style.cssText = "";
+    });
+    page.querySelectorAll("main *").forEach(e => {
+        const style = frame.contentWindow.getComputedStyle(e);
+        if (style.overflowX === "auto" && e.scrollWidth > e.clientWidth && !style.backgroundAttachment.includes("local"))
+            said.push("BAD scrolls, and nothing shows it: " + about(e));
+    });
+    const texts = page.createTreeWalker(page.body, NodeFilter.SHOW_TEXT);
+    formulas.filter(m => m.getAttribute("display") !== "block").forEach(m => {
+        for (texts.currentNode = m; texts.nextNode() && m.contains(texts.currentNode););
+        const range = page.createRange(), after = texts.currentNode, box = m.getBoundingClientRect();
+        if (!/^[.,;:!?)]/.test(after.data)) return;
+        range.setStart(after, 0);
+        range.setEnd(after, 1);
+        if (range.getBoundingClientRect().left < box.left) said.push("BAD its full stop is on the next line: " + about(m));
+    });
+    page.querySelectorAll("math mo:first-child").forEach(o => {
+        const hole = o.getBoundingClientRect().left - o.closest("math").getBoundingClientRect().left;
+        if (/^[a-z]{2,}$/.test(o.textContent) && o.closest("math[display=inline]") && o.parentElement.parentElement.tagName === "semantics" && hole > 2)
+            said.push("BAD " + hole.toFixed(1) + " px before " + about(o.closest("math")));
+    });
     if (root.scrollHeight < 200) said.push("BAD page is empty");
     said.push("SAID " + images.length + " images, " + formulas.length + " formulas, " + root.scrollHeight + " px high");
     document.getElementById("said").textContent = said.join("\n");

@@ -29,4 +29,25 @@ set -- -f markdown -t html5 --standalone --mathml --no-highlight --toc --toc-dep
 [ "$name" = index ] || set -- "$@" -V contents=1
 NOTES_PAGE=$name NOTES_PAGES=$out/.pages NOTES_FIGURES=$here/figures \
     pandoc "$@" -o "$out/.parts/$name.html" "$here/$name.md"
-mv "$out/.parts/$name.html" "$out/$name.html"
+
+# Pandoc's MathML, spaced as TeX would. Brackets around nothing tall do not stretch: browsers pad those that may. A name like cos
+# gets thin spaces, none at a formula's beginning, after a sign or before a bracket. A minus after a sign belongs to the right.
+# \mathrm is upright in browsers that do not know <mstyle mathvariant>.
+flat='([^<]|</?m([inrs]|text)[^>]*>|</?mo(ver)?>|<mo(ver)? ([^s]|stretchy="f)[^>]*>)*'
+cat >"$out/.parts/$name.sed" <<SPACES
+/<math/!b
+:letters
+s@(<mstyle mathvariant="normal"><mi>[^<]*)</mi><mi>@\1@
+t letters
+s@<mstyle mathvariant="normal">(<mi)(>[^<]*</mi>)</mstyle>@\1 mathvariant="normal"\2@g
+:brackets
+s@(<mo stretchy=")true(" form="prefix">[[(]</mo>$flat<mo stretchy=")true(" form="postfix">[])]</mo>)@\1false\2false\8@
+t brackets
+s@<mo>([a-z][a-z]+)</mo>@<mo lspace="0.17em" rspace="0.17em">\1</mo>@g
+s@((<semantics>|<mrow>|[^)]</mo>|="prefix">.</mo>)(<m(sub|sup|subsup|row)>)*<mo lspace=")0.17em@\10@g
+s@( rspace=")0.17em(">[a-z]+</mo>(<mrow>)?<mo [^>]*form="prefix")@\10\2@g
+s@(</mo>(<mspace [^>]*></mspace>)*)<mo>−</mo>@\1<mo form="prefix">−</mo>@g
+s@<mo>=</mo>(</mrow><annotation)@<mo rspace="0">=</mo>\1@g
+SPACES
+sed -E -f "$out/.parts/$name.sed" "$out/.parts/$name.html" >"$out/.parts/$name.spaced"
+mv "$out/.parts/$name.spaced" "$out/$name.html"

@@ -11,7 +11,7 @@ $(PREVIEW_TESTS:tests/unit/%.c=$(BUILD)/tests/%): $(BUILD)/tests/%: $(BUILD)/obj
 PREVIEW_SCENE_1  = scenes/box_glass.yaml
 PREVIEW_SCENE_2  = scenes/box_glossy.yaml
 PREVIEW_SCENE_3  = scenes/box_dispersion.yaml
-PREVIEW_SCENE    = $(if $(filter undefined file,$(origin SCENE)),$(or $(PREVIEW_SCENE_$(STAGE)),$(PREVIEW_SCENE_1)),$(SCENE))
+PREVIEW_SCENE    = $(if $(filter undefined file,$(origin SCENE)),$(or $(PREVIEW_SCENE_$(or $(STAGE),1)),$(error STAGE=$(STAGE): expected $(sort $(patsubst PREVIEW_SCENE_%,%,$(filter PREVIEW_SCENE_%,$(.VARIABLES)))); lib/preview/preview.mk names the scene of each stage)),$(SCENE))
 PREVIEW_SNAPSHOT = $(BUILD)/preview.png
 
 # How one saved file becomes one object: what `make` itself does, without asking make. Two previews may build the same one.

@@ -29,6 +29,7 @@ scenes_of() {
     3.3) echo picture_3 prism box_glass ;;
     3.5) echo picture_3 prism box_glass ;;
     3.4) echo picture_3 prism box_glass picture_1 ;;
+    *) echo box_glass box_dispersion ;;
     esac
 }
 
@@ -167,6 +168,15 @@ show_mistake() {
     echo "$1 $scene $found $seen $picture"
 }
 
+# mistakes_of STEP…: a name a line
+mistakes_of() {
+    for step in "$@"; do
+        for mistake in tests/mistakes/"$step"_*/; do
+            [ ! -d "$mistake" ] || basename "$mistake"
+        done
+    done
+}
+
 gallery() {
     rm -rf "$work"
     mkdir -p "$work" "$FIGURES"
@@ -175,12 +185,8 @@ gallery() {
         rm -f "$FIGURES/5_${step%.*}_${step#*.}_"*.png
         for scene in $(scenes_of "$step"); do echo "right $(right_of "$step" "$scene") $step:$scene"; done
     done | sort -u -k 2,2 | xargs -P "$jobs" -L 1 sh $self --play
-    for step in "$@"; do
-        for mistake in tests/mistakes/"$step"_*; do echo "mistake - ${mistake##*/}"; done
-    done | xargs -P "$jobs" -L 1 sh $self --play
-    for step in "$@"; do
-        for mistake in tests/mistakes/"$step"_*; do show_mistake "${mistake##*/}"; done
-    done >"$work/table"
+    mistakes_of "$@" | sed 's/^/mistake - /' | xargs -P "$jobs" -L 1 sh $self --play
+    for mistake in $(mistakes_of "$@"); do show_mistake "$mistake"; done >"$work/table"
     awk '{ print; count[$6]++ } $1 == $7 { pictures++ }
          END { print "known", NR; print "seen", count["yes"] + 0; print "not_seen", NR - count["yes"]; print "pictures", pictures + 0 }' \
         "$work/table" >"$work/seen.txt"
