@@ -63,7 +63,7 @@ static int list_lobe(Entry *entries)
 {
     entries[0] = (Entry){{90, 200, 255, 255}, "the equation"};
     entries[1] = (Entry){{255, 205, 110, 255}, "samples"};
-    entries[2] = (Entry){COLOUR_OF_LIGHTS, "photon"};
+    entries[2] = (Entry){{235, 235, 245, 255}, "photon"};
     entries[3] = (Entry){{255, 130, 90, 255}, "mirror direction"};
     entries[4] = (Entry){{150, 235, 150, 255}, "normal"};
     return 5;

@@ -111,7 +111,7 @@ static void add_stage(const View *view, Vertices *list)
     vertices_line(list, vec3(0, 0, -1.2f), vec3(0, 0, 1.2f), rgba_fade(disk, 0.4f));
     add_arrow(list, origin, vec3(0, 1.15f, 0), (Rgba){150, 235, 150, 220});
     add_arrow(list, on_stage(vec3(-1.3f * mirror.x, 0, 1.3f * mirror.z)),
-              on_stage(vec3_scale(vec3(-mirror.x, 0, mirror.z), 0.03f)), COLOUR_OF_LIGHTS);
+              on_stage(vec3_scale(vec3(-mirror.x, 0, mirror.z), 0.03f)), (Rgba){235, 235, 245, 230});
     add_arrow(list, origin, on_stage(vec3_scale(mirror, 1.2f)), (Rgba){255, 130, 90, 230});
 }
 
