@@ -15,12 +15,6 @@
 #define LOOK_ALONE   0.1  // s between looks at the files' times, without inotify
 #define LOOK_BESIDE  1.0  // … and with it, for folders whose changes come from another machine
 
-#if defined(__APPLE__)
-#define CHANGED_AT(info) (info).st_mtimespec
-#else
-#define CHANGED_AT(info) (info).st_mtim
-#endif
-
 static void path_of(char *path, size_t size, const char *folder, const StepInfo *step, const char *ending)
 {
     snprintf(path, size, "%s/%s%s", folder, step->file, ending);
@@ -38,14 +32,18 @@ Print watch_take_print(const Watch *watch, size_t i)
     path_of(path, sizeof path, watch->source, &step_table[i], ".c");
     if (stat(path, &info) != 0)
         return (Print){.there = false};
-    return (Print){true, (long long)CHANGED_AT(info).tv_sec, (long long)CHANGED_AT(info).tv_nsec,
-                   (long long)info.st_size, (unsigned long long)info.st_ino};
+    return (Print){true,
+                   (long long)CHANGED_AT(info).tv_sec,
+                   (long long)CHANGED_AT(info).tv_nsec,
+                   (long long)info.st_size,
+                   (unsigned long long)info.st_ino,
+                   watch_print_headers(watch, i)};
 }
 
 static bool same_print(const Print *a, const Print *b)
 {
     return a->there == b->there && a->seconds == b->seconds && a->nanoseconds == b->nanoseconds && a->size == b->size &&
-           a->number == b->number;
+           a->number == b->number && a->headers == b->headers;
 }
 
 void watch_mark(Watch *watch, size_t i)
@@ -152,6 +150,7 @@ static WatchEvent end_build(Watch *watch, bool ok)
     char file[256];
     snprintf(file, sizeof file, "%s.c", watch_step_name(&step_table[watch->building]));
     watch->warning[0] = '\0';
+    watch->files[watch->building].print.headers = watch_print_headers(watch, watch->building); // it may read others now
     if (ok) {
         snprintf(watch->message, sizeof watch->message, "%s: built in %.2f s", file,
                  clock_seconds() - watch->build.started);

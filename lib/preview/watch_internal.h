@@ -6,11 +6,18 @@
 #include "preview/watch_build.h"
 #include "steps/steps.h"
 
+#if defined(__APPLE__)
+#define CHANGED_AT(info) (info).st_mtimespec
+#else
+#define CHANGED_AT(info) (info).st_mtim
+#endif
+
 // What tells one state of a file from the next.
 typedef struct {
     bool there;
     long long seconds, nanoseconds, size;
     unsigned long long number;
+    unsigned long long headers; // of the student's own that it includes, all together
 } Print;
 
 typedef struct {
@@ -33,6 +40,9 @@ struct Watch {
 
 const char *watch_step_name(const StepInfo *step); // "1.3_scatter_diffuse"
 Print watch_take_print(const Watch *watch, size_t step);
+// Of the headers below the watched folder that the step's last build read, as the compiler has written them down beside
+// the object. 0: none.
+unsigned long long watch_print_headers(const Watch *watch, size_t step);
 void watch_mark(Watch *watch, size_t step); // its file was saved, or may have been
 
 // By inotify; without it the first two do nothing, and times have to do.

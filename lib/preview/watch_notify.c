@@ -50,6 +50,8 @@ static void take_change(Watch *watch, const struct inotify_event *event)
         if (!(event->mask & IN_CREATE && !watch_take_print(watch, i).size))
             watch_mark(watch, i);
     }
+    if (!known)
+        watch->looked = 0.0; // a header of a step's?
     if (!known && event->mask & (IN_CLOSE_WRITE | IN_MOVED_TO) && looks_like_a_step(event->name))
         snprintf(watch->stray, sizeof watch->stray, "%s", event->name);
 }
@@ -80,7 +82,7 @@ void watch_start_listening(Watch *watch)
     watch->inotify = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
     if (watch->inotify < 0)
         return;
-    if (inotify_add_watch(watch->inotify, watch->source, IN_CREATE | IN_MOVED_TO | IN_ONLYDIR) < 0) {
+    if (inotify_add_watch(watch->inotify, watch->source, CHANGES | IN_ONLYDIR) < 0) {
         close(watch->inotify);
         watch->inotify = -1;
         return;

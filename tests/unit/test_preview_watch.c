@@ -192,6 +192,28 @@ static void a_file_like_no_step_is_told(void **state)
     assert_int_equal(next_event(5.0), WATCH_BUILT);
 }
 
+// As a compiler writes it: the watched folder has blanks in its name.
+static void a_header_is_saved_for_its_steps(void **state)
+{
+    (void)state;
+    char path[512];
+    save("1_diffuse_photon_map/mine.h", "one");
+    assert_int_equal(next_event(0.3), WATCH_NOTHING); // nobody reads it
+    save(STEP ".c", "good");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    path_to(path, sizeof path, "objects", STEP ".d");
+    FILE *stream = fopen(path, "w");
+    assert_non_null(stream);
+    fprintf(stream, "x.so: \\\n %s/code\\ of\\ a\\ student/" STEP ".c lib/other.h \\\n", folder);
+    fprintf(stream, " %s/code\\ of\\ a\\ student/1_diffuse_photon_map/mine.h\n\nlib/other.h:\n", folder);
+    fclose(stream);
+    save(STEP ".c", "better"); // reads it from now on
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_int_equal(next_event(1.3), WATCH_NOTHING);
+    save("1_diffuse_photon_map/mine.h", "two times");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+}
+
 static void a_deleted_step_loses_its_object(void **state)
 {
     (void)state;
@@ -237,6 +259,7 @@ int main(void)
         BOTH_WAYS(saves_queue_and_restart),
         BOTH_WAYS(warnings_are_told),
         cmocka_unit_test_setup_teardown(a_file_like_no_step_is_told, set_up, tear_down), // by inotify alone
+        BOTH_WAYS(a_header_is_saved_for_its_steps),
         BOTH_WAYS(a_deleted_step_loses_its_object),
         BOTH_WAYS(a_stage_that_comes_later_is_seen),
         cmocka_unit_test(no_folder_is_an_error),
