@@ -156,7 +156,7 @@ bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
     return rng_float(rng) < 0.9f;
 }
 C
-expect 0 "energy: of 8.237 W of red light, bounces won" $play
+expect 0 "or does not fit its directions: look at your step 1.4 (russian_roulette)" $play
 student 1.4_russian_roulette <<'C'
 bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
 {

@@ -9,22 +9,6 @@
 // a hundred it is still too small now and then.
 #define FEWEST_PATHS 1000
 
-static void describe_energy(const Ledger *ledger, char *text, size_t size)
-{
-    static const char *const names[] = {"red", "green", "blue"};
-    for (int c = 0; c < 3; c++) {
-        double error = ledger->chance_error[c];
-        // Rounding alone moves the sum by a millionth.
-        if (fabs(ledger->chance[c]) <= 5.0 * error + 1e-6 * ledger->emitted[c])
-            continue;
-        snprintf(text, size,
-                 "energy: of %.4g W of %s light, bounces won %.4g W by chance, where 0 ± %.2g is right. A step's "
-                 "weight or probability is off\n",
-                 ledger->emitted[c], names[c], -ledger->chance[c], error);
-        return;
-    }
-}
-
 // Which steps give directions at which surface, and whose turn it is when none of those is the student's.
 static const struct {
     const char *place;
@@ -37,6 +21,9 @@ static const struct {
     [MATERIAL_LIGHT] = {"the light", {"1.2", "1.3", NULL}},
 };
 static const char *const loops[] = {"1.5", "3.4", NULL};
+// What a photon's power, or whether it goes on, may hang on.
+static const char *const weights[] = {"1.4", "1.5", "2.1", "2.2", "2.3", "2.4",
+                                      "3.1", "3.2", "3.3", "3.4", "3.5", NULL};
 
 // "your step 1.3 (scatter_diffuse)", "one of your steps 1.3, 2.4"; false: none of these is the student's.
 static bool name_suspects(const char *const *ids, const StepState *states, char *text, size_t size)
@@ -77,6 +64,28 @@ static void describe_unsound(const UnsoundPaths *unsound, const StepState *state
              share, sources[most].place, who, length);
 }
 
+static void describe_energy(const Ledger *ledger, const StepState *states, char *text, size_t size)
+{
+    static const char *const names[] = {"red", "green", "blue"};
+    char who[96];
+    if (!name_suspects(weights, states, who, sizeof who))
+        snprintf(who, sizeof who, "the steps");
+    for (int c = 0; c < 3; c++) {
+        double chance = ledger->chance[c], error = ledger->chance_error[c];
+        // Rounding alone moves the sum by a millionth.
+        if (fabs(chance) <= 5.0 * error + 1e-6 * ledger->emitted[c])
+            continue;
+        if (isfinite(chance))
+            snprintf(text, size,
+                     "energy: of %.4g W of %s light, bounces %s %.4g W for no reason, where 0 ± %.2g is right. A "
+                     "weight or probability is off, or does not fit its directions: look at %s\n",
+                     ledger->emitted[c], names[c], chance < 0.0 ? "gained" : "lost", fabs(chance), error, who);
+        else
+            snprintf(text, size, "energy: a photon's power is no number (NaN), or infinite: look at %s\n", who);
+        return;
+    }
+}
+
 void oddities_describe(const Oddities *found, char *text, size_t size)
 {
     text[0] = '\0';
@@ -89,5 +98,5 @@ void oddities_describe(const Oddities *found, char *text, size_t size)
     used = strlen(text);
     // What paths that ended too early would have brought is missing, and no fault of a weight.
     if (found->paths >= FEWEST_PATHS && found->unsound->total == 0)
-        describe_energy(found->ledger, text + used, size - used);
+        describe_energy(found->ledger, found->states, text + used, size - used);
 }

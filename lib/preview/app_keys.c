@@ -28,12 +28,13 @@ static void save_snapshot(App *app)
 }
 
 // The desktop's own way to open a page; without one, where it lies.
-static void open_report(const App *app)
+static void open_report(App *app)
 {
     const char *report = app->options->report;
     FILE *file = report ? fopen(report, "rb") : NULL;
     if (!file) {
-        printf("no report yet: run `make report`\n");
+        snprintf(app->session.build, sizeof app->session.build, "no report yet: run `make report`");
+        printf("%s\n", app->session.build);
         fflush(stdout);
         return;
     }
@@ -185,8 +186,11 @@ void app_key(App *app, int key)
     case WINDOW_DOWN:
         choose_within(app, false, key == WINDOW_UP ? 1 : -1);
         return;
+    case WINDOW_ESCAPE: // closes what is open, before it closes all
+        app->quit = !view->help;
+        view->help = false;
+        return;
     case 'q':
-    case WINDOW_ESCAPE:
         app->quit = true;
         return;
     default:

@@ -86,6 +86,22 @@ static bool poll_watch(Session *session, const View *view)
     return false; // its photons are soon there
 }
 
+// A student saves, and nothing changes: another step does that work.
+static void tell_if_not_played(Session *session, const Scatter *scatter)
+{
+    const StepInfo *step = session->after_save && session->watch ? watch_step(session->watch) : NULL;
+    if (!step || scatter->states[step - step_table] != STEP_STUDENT || step_is_played(step, scatter->play))
+        return;
+    char text[300];
+    const char *flag = strcmp(step->id, "3.5") == 0 ? "3.4" : step->id;
+    snprintf(text, sizeof text,
+             "%s is built, but another step plays in its place; make preview FLAGS=\"--steps %s\" plays it", step->id,
+             flag);
+    tell(text);
+    size_t length = strlen(session->notice);
+    snprintf(session->notice + length, sizeof session->notice - length, "%s%s", length > 0 ? "\n" : "", text);
+}
+
 static void take_scatter(Session *session, int side, const RunStatus *status)
 {
     side_set_scatter(session->sides[side], run_take_scatter(session->scatter[side]));
@@ -96,8 +112,10 @@ static void take_scatter(Session *session, int side, const RunStatus *status)
     if (strcmp(session->notice, status->notice) != 0 && status->notice[0])
         tell(status->notice);
     snprintf(session->notice, sizeof session->notice, "%s", status->notice);
-    session->fault[0] = '\0';
     const Scatter *scatter = side_scatter(session->sides[side]);
+    tell_if_not_played(session, scatter);
+    // What another step's last build said is still true.
+    snprintf(session->fault, sizeof session->fault, "%s", session->watch ? watch_broken(session->watch) : "");
     printf("%zu photons stored of %ld emitted, %.2f s after the %s\n", scatter->count, scatter->emitted,
            clock_seconds() - session->asked_at, session->asked_by);
     fflush(stdout);

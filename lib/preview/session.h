@@ -32,7 +32,7 @@ typedef struct {
     char fault[600];   // of the last build or run of the student's code; "": none
     char build[300];   // the last build, in words
     char warning[300]; // what the compiler warned of in it; "": nothing
-    char notice[640];  // what right steps never do
+    char notice[960];  // what right steps never do
 } Session;
 
 bool session_start(Session *session, const Scene *scene, const PreviewOptions *options, Broker *broker, Canvas *canvas,

@@ -4,17 +4,18 @@
 #include <stdio.h>
 #include <string.h>
 
-// Appends "title 1.1 1.3 " with the ids of the steps in this state that play.
-static void list_steps(const Scatter *scatter, StepState state, const char *title, char *text, size_t size)
+// Appends "title 1.1 1.3 " with the ids of the steps that are, or are not, the student's and play. False: there is none.
+static bool list_steps(const Scatter *scatter, bool students, bool played, const char *title, char *text, size_t size)
 {
     bool any = false;
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        if (scatter->states[i] != state || !step_is_played(&step_table[i], scatter->play))
+        if ((scatter->states[i] == STEP_STUDENT) != students || step_is_played(&step_table[i], scatter->play) != played)
             continue;
         size_t length = strlen(text);
         snprintf(text + length, size - length, "%s%s", any ? " " : title, step_table[i].id);
         any = true;
     }
+    return any;
 }
 
 void session_status(const Session *session, char *text, size_t size)
@@ -32,8 +33,12 @@ void session_status(const Session *session, char *text, size_t size)
     if (session->render && run_image(session->render, &passes))
         snprintf(text + length, size - length, " | rendered: %d pass%s", passes, passes == 1 ? "" : "es");
     if (session->options->code) {
-        list_steps(scatter, STEP_STUDENT, " | your code: ", text, size);
-        list_steps(scatter, STEP_NOT_STARTED, " | not started: ", text, size);
+        if (!list_steps(scatter, true, true, " | your code: ", text, size)) {
+            length = strlen(text);
+            snprintf(text + length, size - length, " | your code: nothing yet");
+        }
+        list_steps(scatter, true, false, " | built, not played: ", text, size);
+        list_steps(scatter, false, true, " | the reference: ", text, size);
     } else {
         length = strlen(text);
         snprintf(text + length, size - length, " | the reference plays");
@@ -44,6 +49,10 @@ void session_status(const Session *session, char *text, size_t size)
              : session->build[0] ? " | "
                                  : "",
              session->building ? "" : session->build);
+    if (session->timed) {
+        length = strlen(text);
+        snprintf(text + length, size - length, " | h: keys");
+    }
 }
 
 void session_banner(const Session *session, char *text, size_t size)

@@ -42,8 +42,8 @@ void session_draw(const Session *session, Canvas *canvas, const View *view, bool
                                     "+ -         more, fewer photons    r  another seed\n"
                                     "p           render what you see, by your code\n"
                                     "w           wireframe    s  snapshot    o  report\n"
-                                    "h           this list    q  quit";
-    char status[512], banner[1400];
+                                    "h           this list    q, esc  quit";
+    char status[700], banner[2000];
     session_status(session, status, sizeof status);
     session_banner(session, banner, sizeof banner);
     Captions captions = {.help = help, .left_title = "yours", .right_title = "reference"};
@@ -206,8 +206,10 @@ bool preview_snapshots(const Scene *scene, const PreviewOptions *options, Broker
         bool news = session_poll(&session, &options->view);
         if (news && !session_is_busy(&session)) {
             session_draw(&session, easel.canvas, &options->view, options->bare);
-            ok = snapshot_write(easel.canvas, options->snapshot, error);
-            printf("%s is new\n", options->snapshot);
+            if (snapshot_write(easel.canvas, options->snapshot, error))
+                printf("%s is new\n", options->snapshot);
+            else
+                printf("%s\n", error->message); // the next save may fare better
             fflush(stdout);
         }
         session_wait(&session, 0.2);

@@ -45,12 +45,16 @@ static void describe_lobe(const View *view, const Side *side, char *text, size_t
 {
     size_t count = side->lobe.count;
     const char *step = view->diffuse ? "1.3" : side->scatter.play.glossy == GLOSSY_PHONG ? "2.4" : "2.3";
+    const StepState state = side->scatter.states[step_find(step) - step_table];
+    const char *whose = state == STEP_STUDENT       ? ", yours"
+                        : state == STEP_NOT_STARTED ? ", the reference's"
+                                                    : ""; // nobody else is there
     int length;
     if (view->diffuse)
-        length = snprintf(text, size, "diffuse, step %s: density cos(theta)/pi", step);
+        length = snprintf(text, size, "diffuse, step %s%s: density cos(theta)/pi", step, whose);
     else
-        length = snprintf(text, size, "glossy, step %s: exponent %.4g, %.4g degrees", step, (double)view->exponent,
-                          (double)view->angle);
+        length = snprintf(text, size, "glossy, step %s%s: exponent %.4g, %.4g degrees", step, whose,
+                          (double)view->exponent, (double)view->angle);
     if (length > 0 && (size_t)length < size)
         length += snprintf(text + length, size - (size_t)length, "\n%zu samples, %.1f %% absorbed", count,
                            count ? 100.0 * (double)side->lobe_absorbed / (double)count : 0.0);

@@ -53,6 +53,21 @@ void watch_mark(Watch *watch, size_t i)
     watch->files[i].since = clock_seconds();
 }
 
+// What the last build could not make, a day ago perhaps: it is tried again, and its error told.
+static bool is_behind(const Watch *watch, size_t i)
+{
+    char source[4096], object[4096];
+    struct stat from, made;
+    path_of(source, sizeof source, watch->source, &step_table[i], ".c");
+    path_of(object, sizeof object, watch->objects, &step_table[i], ".so");
+    if (stat(source, &from) != 0)
+        return false;
+    if (stat(object, &made) != 0)
+        return true;
+    long long seconds = (long long)CHANGED_AT(from).tv_sec - (long long)CHANGED_AT(made).tv_sec;
+    return seconds > 0 || (seconds == 0 && CHANGED_AT(from).tv_nsec > CHANGED_AT(made).tv_nsec);
+}
+
 static void look_at_times(Watch *watch)
 {
     double now = clock_seconds();
@@ -86,8 +101,11 @@ Watch *watch_start(const char *source, const char *objects, const char *command,
     strcpy(watch->objects, objects);
     watch->inotify = watch->build.output = -1;
     watch_start_listening(watch);
-    for (size_t i = 0; i < STEP_COUNT; i++)
+    for (size_t i = 0; i < STEP_COUNT; i++) {
         watch->files[i].print = watch_take_print(watch, i);
+        if (is_behind(watch, i))
+            watch_mark(watch, i);
+    }
     return watch;
 }
 
@@ -118,6 +136,7 @@ static WatchEvent begin_build(Watch *watch, size_t i)
     path_of(source, sizeof source, watch->source, &step_table[i], ".c");
     path_of(object, sizeof object, watch->objects, &step_table[i], ".so");
     watch->files[i].dirty = false;
+    watch->files[i].error[0] = '\0';
     watch->files[i].print = watch_take_print(watch, i); // what is built, even if it was seen half-written before
     if (access(source, F_OK) != 0)
         return remove_object(watch, i, object);
@@ -156,8 +175,10 @@ static WatchEvent end_build(Watch *watch, bool ok)
                  clock_seconds() - watch->build.started);
         build_warning_line(&watch->build, file, watch->warning, sizeof watch->warning);
     }
-    if (!ok)
+    if (!ok) {
         build_error_line(&watch->build, file, watch->message, sizeof watch->message);
+        snprintf(watch->files[watch->building].error, sizeof watch->files->error, "%.299s", watch->message);
+    }
     return ok ? WATCH_BUILT : WATCH_FAILED;
 }
 
@@ -200,6 +221,19 @@ void watch_wait(Watch *watch, double seconds)
 const char *watch_message(const Watch *watch)
 {
     return watch->message;
+}
+
+const StepInfo *watch_step(const Watch *watch)
+{
+    return &step_table[watch->building];
+}
+
+const char *watch_broken(const Watch *watch)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (watch->files[i].error[0])
+            return watch->files[i].error;
+    return "";
 }
 
 const char *watch_warning(const Watch *watch)

@@ -3,6 +3,7 @@
 #define PHOTONLAB_PREVIEW_WATCH_H
 
 #include "error.h"
+#include "steps/steps.h"
 
 typedef struct Watch Watch;
 
@@ -13,7 +14,8 @@ typedef enum {
     WATCH_FAILED    // watch_message tells why, the old objects stay; also for a file that is named like no step
 } WatchEvent;
 
-// Watches source/<stage>/*.c (laid out as exercises/). For each saved file runs, with LC_ALL=C,
+// Watches source/<stage>/*.c (laid out as exercises/), and the headers of their own that these include. For each file that
+// is saved, or has no object that is newer, runs, with LC_ALL=C,
 //     sh -c command sh SOURCE.c OBJECT.so
 // where OBJECT.so is below `objects`; the command must write beside and rename. A step that was deleted loses its object.
 // Directories are watched, not files (editors rename). Times are looked at as well, once a second, for changes that
@@ -31,5 +33,10 @@ void watch_wait(Watch *watch, double seconds);
 const char *watch_message(const Watch *watch);
 // The compiler's first warning in a build that succeeded, such as a forgotten return; "" if there was none.
 const char *watch_warning(const Watch *watch);
+
+// The step that was built last.
+const StepInfo *watch_step(const Watch *watch);
+// The compiler's first error line for the first step whose last build failed; "": there is none.
+const char *watch_broken(const Watch *watch);
 
 #endif

@@ -153,10 +153,12 @@ static bool has_word(const char *line, size_t length, const char *word)
     return found && found + strlen(word) <= line + length;
 }
 
-// The first line with a word that tells, or the last line of all.
+// The first line with a word that tells, or the last line of all. A name that is not known makes gcc warn, and only
+// then find errors in what it takes the name for.
 static const char *find_line(const char *text)
 {
-    static const char *const words[] = {"error", "undefined reference", "ld: ", "not found", "No such file"};
+    static const char *const words[] = {"implicit declaration", "error", "undefined reference", "ld: ", "not found",
+                                        "No such file"};
     for (size_t w = 0; w < sizeof words / sizeof *words; w++)
         for (const char *line = text; *line; line += strcspn(line, "\n") + (line[strcspn(line, "\n")] == '\n'))
             if (has_word(line, strcspn(line, "\n"), words[w]))

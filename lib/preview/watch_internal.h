@@ -22,8 +22,9 @@ typedef struct {
 
 typedef struct {
     Print print;
-    bool dirty;
-    double since; // of the last sign that it was saved
+    bool dirty;      // was saved and waits to be built
+    char error[300]; // of its last build; "": it went well
+    double since;    // of the last sign that it was saved
 } Source;
 
 struct Watch {

@@ -28,6 +28,8 @@ key_and_photons() {
 check_keys() {
     differs "h: the list of keys" key h
     differs "h again: no list" key h
+    key h
+    differs "escape: no list, and no end" key Escape
     differs "drag: turns" drag 1 60 20
     differs "right drag: moves" drag 3 30 10
     differs "wheel: nearer" xdotool click 4

@@ -18,14 +18,19 @@ static void path_to(char *path, size_t size, const char *part, const char *file)
     snprintf(path, size, "%s/%s/%s", folder, part, file);
 }
 
-static void save(const char *file, const char *text)
+static void write_file(const char *part, const char *file, const char *text)
 {
     char path[512];
-    path_to(path, sizeof path, "code of a student", file);
+    path_to(path, sizeof path, part, file);
     FILE *stream = fopen(path, "w");
     assert_non_null(stream);
     fputs(text, stream);
     fclose(stream);
+}
+
+static void save(const char *file, const char *text)
+{
+    write_file("code of a student", file, text);
 }
 
 // The next event but WATCH_BUILDING; WATCH_NOTHING when none comes in time.
@@ -59,6 +64,8 @@ static const char command[] =
     "sleep 0.05; case $(cat \"$1\") in "
     "*wrong*) echo \"In file included from somewhere/deep.h:1:\" >&2; echo \"$1:12:5: error: expected ';'\" >&2; exit 1;; "
     "*warned*) echo \"$1:7:1: warning: no return statement\" >&2; cp \"$1\" \"$2.new\";; "
+    "*strange*) echo \"$1:3:9: warning: implicit declaration of function 'f'\" >&2; echo \"$1:3:9: error: types\" >&2; "
+    "exit 1;; "
     "*silent*) exit 1;; "
     "*linker*) echo \"/usr/bin/ld: cannot find -lmissing\" >&2; exit 1;; "
     "*slow*) sleep 5;; "
@@ -77,6 +84,11 @@ static int set_up(void **state)
     path_to(path, sizeof path, "code of a student", "1_diffuse_photon_map");
     mkdir(path, 0700);
     save(STEP ".c", "before");
+    path_to(path, sizeof path, "objects", "");
+    mkdir(path, 0700);
+    path_to(path, sizeof path, "objects", "1_diffuse_photon_map");
+    mkdir(path, 0700);
+    write_file("objects", STEP ".so", "before");
     if (*state && strcmp(*state, "times") == 0)
         setenv("PHOTONLAB_WATCH", "times", 1);
     else
@@ -88,6 +100,24 @@ static int set_up(void **state)
     objects[strlen(objects) - 1] = '\0';
     watch = watch_start(source, objects, command, &error);
     return watch ? 0 : -1;
+}
+
+// A build that failed yesterday.
+static int set_up_behind(void **state)
+{
+    char path[512];
+    Error error = {""};
+    if (set_up(state) != 0)
+        return -1;
+    watch_stop(watch);
+    save(STEP ".c", "wrong"); // newer than its object
+    save(NEXT ".c", "new");   // which has none
+    char source[512], objects[512];
+    path_to(source, sizeof source, "code of a student", ".");
+    path_to(objects, sizeof objects, "objects", ".");
+    path_to(path, sizeof path, "objects", NEXT ".so");
+    watch = watch_start(source, objects, command, &error);
+    return watch && access(path, F_OK) != 0 ? 0 : -1;
 }
 
 static int tear_down(void **state)
@@ -141,6 +171,10 @@ static void errors_are_told(void **state)
     save(STEP ".c", "linker");
     assert_int_equal(next_event(5.0), WATCH_FAILED);
     assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c: ld: cannot find -lmissing");
+    save(STEP ".c", "strange"); // the warning is the cause
+    assert_int_equal(next_event(5.0), WATCH_FAILED);
+    assert_string_equal(watch_message(watch),
+                        "1.3_scatter_diffuse.c:3:9: warning: implicit declaration of function 'f'");
     save(STEP ".c", "silent");
     assert_int_equal(next_event(5.0), WATCH_FAILED);
     assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c: the compiler failed and said nothing");
@@ -214,6 +248,22 @@ static void a_header_is_saved_for_its_steps(void **state)
     assert_int_equal(next_event(5.0), WATCH_BUILT);
 }
 
+static void what_is_behind_is_built_at_the_start(void **state)
+{
+    (void)state;
+    assert_string_equal(watch_broken(watch), "");
+    assert_int_equal(next_event(5.0), WATCH_FAILED);
+    assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c:12:5: error: expected ';'");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_object(NEXT ".so", "new");
+    assert_object(STEP ".so", "before");
+    assert_string_equal(watch_step(watch)->id, "1.4");
+    assert_string_equal(watch_broken(watch), "1.3_scatter_diffuse.c:12:5: error: expected ';'");
+    save(STEP ".c", "mended");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_string_equal(watch_broken(watch), "");
+}
+
 static void a_deleted_step_loses_its_object(void **state)
 {
     (void)state;
@@ -260,6 +310,7 @@ int main(void)
         BOTH_WAYS(warnings_are_told),
         cmocka_unit_test_setup_teardown(a_file_like_no_step_is_told, set_up, tear_down), // by inotify alone
         BOTH_WAYS(a_header_is_saved_for_its_steps),
+        cmocka_unit_test_setup_teardown(what_is_behind_is_built_at_the_start, set_up_behind, tear_down),
         BOTH_WAYS(a_deleted_step_loses_its_object),
         BOTH_WAYS(a_stage_that_comes_later_is_seen),
         cmocka_unit_test(no_folder_is_an_error),
