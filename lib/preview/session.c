@@ -3,8 +3,10 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
-#define NEXT_LOOK 0.4
+#define NEXT_LOOK  0.4
+#define SCENE_LOOK 1.0
 
 bool session_start(Session *session, const Scene *scene, const PreviewOptions *options, Broker *broker, Canvas *canvas,
                    Error *error)
@@ -180,9 +182,29 @@ static bool poll_render(Session *session)
     return true;
 }
 
+// The scene is read once, and the workers hold it.
+static bool look_at_scene(Session *session)
+{
+    struct stat info;
+    double now = clock_seconds();
+    if (!session->watch || now - session->looked_at_scene < SCENE_LOOK ||
+        stat(session->options->scene_path, &info) != 0)
+        return false;
+    session->looked_at_scene = now;
+    long long before = session->scene_changed;
+    session->scene_changed = (long long)info.st_mtime;
+    if (before == 0 || before == session->scene_changed || session->scene_is_old)
+        return false;
+    session->scene_is_old = true;
+    printf("%s was changed; start the preview again to see it\n", session->options->scene_path);
+    fflush(stdout);
+    return true;
+}
+
 bool session_poll(Session *session, const View *view)
 {
     bool news = poll_watch(session, view);
+    news |= look_at_scene(session);
     for (int i = 0; i < RUN_SIDES; i++) {
         news |= poll_scatter(session, i);
         news |= poll_lobe(session, i);

@@ -29,6 +29,10 @@ typedef struct {
     bool building;
     bool timed; // words may tell seconds; not in snapshots, which are the same every time
 
+    double looked_at_scene;  // clock_seconds()
+    long long scene_changed; // when its file was written, s; 0: not known
+    bool scene_is_old;       // it has been written since
+
     char fault[600];   // of the last build or run of the student's code; "": none
     char build[300];   // the last build, in words
     char warning[300]; // what the compiler warned of in it; "": nothing

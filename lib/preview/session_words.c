@@ -57,7 +57,9 @@ void session_status(const Session *session, char *text, size_t size)
 
 void session_banner(const Session *session, char *text, size_t size)
 {
-    const char *const lines[] = {session->fault, session->warning, session->notice};
+    const char *const scene =
+        session->scene_is_old ? "the scene's file was changed; start the preview again to see it" : "";
+    const char *const lines[] = {session->fault, session->warning, session->notice, scene};
     text[0] = '\0';
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         size_t length = strlen(text);

@@ -17,7 +17,8 @@ for tool in Xvfb xdotool; do
 done
 student_start || bad "the reference does not build as a student's code"
 check_pictures
-display_start && window_start scenes/box_diffuse.yaml --photons 20000 --size 640x480 || bad "the window does not open: $(cat "$log")"
+cp scenes/box_diffuse.yaml "$work/"
+display_start && window_start "$work/box_diffuse.yaml" --photons 20000 --size 640x480 || bad "the window does not open: $(cat "$log")"
 check_drills
 check_keys
 check_close

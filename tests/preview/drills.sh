@@ -64,6 +64,8 @@ check_drills() {
     mend "half a direction"
     flood
     not_played
+    echo '# another' >>"$work/box_diffuse.yaml"
+    wait_for 12 said_again 'box_diffuse.yaml was changed; start the preview again' 0 && good "a scene that is edited" || bad "a scene that is edited: nothing is said"
 }
 
 # With 3.4 written, the loop of 1.5 does not play: a save of it changes nothing, and that is said.
