@@ -46,6 +46,16 @@ static int open_plain(int directory, const char *name, struct stat *state)
     return -1;
 }
 
+// A file that others may read, and only root may write, needs no copy: a second name for it will do, where the room lies in
+// the same file system. Thousands of files a minute, made and deleted, are slow on ext4.
+static bool link_file(const struct stat *state, int from_directory, const char *name, int to_directory,
+                      const char *to_name)
+{
+    bool can_run = !(state->st_mode & S_IXUSR) || (state->st_mode & S_IXOTH);
+    return state->st_uid == 0 && (state->st_mode & S_IROTH) && !(state->st_mode & (S_IWGRP | S_IWOTH)) && can_run &&
+           linkat(from_directory, name, to_directory, to_name, 0) == 0;
+}
+
 static bool copy_file(int from_directory, const char *name, int to_directory, const char *to_name, uid_t writer,
                       gid_t group)
 {
@@ -54,6 +64,10 @@ static bool copy_file(int from_directory, const char *name, int to_directory, co
     if (from < 0)
         return true; // no plain file: left out
     unlinkat(to_directory, to_name, 0);
+    if (!writer && group && link_file(&state, from_directory, name, to_directory, to_name)) {
+        close(from);
+        return true;
+    }
     int to = openat(to_directory, to_name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
     bool ok = to >= 0 && copy_bytes(from, to);
     if (ok && (writer || group)) {

@@ -14,7 +14,7 @@
 bool room_open(char *room, size_t size, gid_t group, Error *error);
 
 // Copies a file or a whole directory (plain files alone, links are left out) to room/path; `writer` owns the copies, 0: root
-// does, and the group may read them.
+// does, and the group may read them. Without a writer, files that anybody may read and only root may write are hard links.
 bool room_copy(const char *room, const char *path, uid_t writer, gid_t group, Error *error);
 
 // Copies the plain files of room/path back to path, which no one but the judge can write to.
