@@ -33,7 +33,7 @@ PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
 PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lcyaml -lyaml)
 
-override CFLAGS += $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib $(PKG_CFLAGS) $(EXTRA)
+override CFLAGS += $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(EXTRA)
 LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(OPENMP)
 
 ifeq ($(SYSTEM),Darwin)
@@ -46,10 +46,11 @@ PLUGIN = -shared
 ORIGIN = $$ORIGIN
 endif
 
-LIBRARY_SOURCES = $(filter-out lib/cli/% lib/preview/%,$(wildcard lib/*.c lib/*/*.c))
-PROGRAM_SOURCES = $(wildcard lib/cli/*.c lib/preview/*.c)
+find_c           = $(sort $(shell find $(1) -name '*.c' 2>/dev/null))
+LIBRARY_SOURCES := $(filter-out lib/cli/% lib/preview/%,$(call find_c,lib))
+PROGRAM_SOURCES := $(call find_c,lib/cli lib/preview tests/judge/probe)
 STEP_SOURCES    = $(wildcard solutions/*/*.c)
-TEST_SOURCES    = $(filter-out $(SKIP),$(wildcard tests/unit/*.c))
+TEST_SOURCES    = $(filter-out $(SKIP),$(wildcard tests/unit/*/*.c))
 
 object   = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 LIBRARY  = $(BUILD)/libphotonlab.so
@@ -89,7 +90,7 @@ $(BUILD)/solutions/%.so: $(BUILD)/obj/solutions/%.o
 
 $(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(LIBRARY)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $< -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/..' -o $@ $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) $< -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/../..' -o $@ $(LDLIBS)
 
 $(BUILD)/make_meshes: scenes/make_meshes.c
 	@mkdir -p $(@D)
@@ -151,9 +152,9 @@ GCC_BUILD = $(if $(filter gcc,$(CC)),$(BUILD),$(BUILD)/gcc)
 check-compilers:
 	@$(MAKE) BUILD=$(GCC_BUILD) CC=gcc EXTRA=-Werror all $(TEST_SOURCES:tests/unit/%.c=$(GCC_BUILD)/tests/%)
 	@$(MAKE) BUILD=$(BUILD)/clang CC=clang EXTRA=-Werror all
-	$(Q)printf '%s\n' $(TEST_SOURCES) $(wildcard tests/fuzz/*.c tests/judge/*.c tests/judge/*/*.c tests/steps/*.c tests/class/*.c) | \
-	    xargs -n 8 -P $(shell getconf _NPROCESSORS_ONLN) clang $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS)
-	$(Q)gcc $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c)
+	$(Q)printf '%s\n' $(TEST_SOURCES) $(call find_c,tests/fuzz tests/judge tests/steps tests/class) | \
+	    xargs -n 8 -P $(shell getconf _NPROCESSORS_ONLN) clang $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib -Itests $(PKG_CFLAGS)
+	$(Q)gcc $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib -Itests $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c)
 
 ##   check-bytes       1, 2 and 7 threads, gcc and clang: the same bytes
 check-bytes: check-compilers meshes
@@ -203,7 +204,7 @@ fuzz:
 	    $(patsubst %,-dict=%,$(wildcard tests/fuzz/$(READER).dict)) $(BUILD)/fuzz/corpus_$(READER)
 
 ## compile_commands.json   for editors and language servers
-compile_commands.json: Makefile $(wildcard lib/*.c lib/*/*.c solutions/*/*.c tests/unit/*.c)
+compile_commands.json: Makefile $(LIBRARY_SOURCES) $(PROGRAM_SOURCES) $(STEP_SOURCES) $(TEST_SOURCES)
 	@{ echo "["; first=1; for f in $(LIBRARY_SOURCES) $(PROGRAM_SOURCES) $(STEP_SOURCES) $(TEST_SOURCES); do \
 	    [ -n "$$first" ] || echo ","; first=; \
 	    printf '{"directory":"%s","file":"%s","command":"%s"}' "$(CURDIR)" "$$f" "$(CC) $(CFLAGS) -c $$f"; \

@@ -28,7 +28,7 @@ blocks() {
 # `make check-figures` finds it.)
 sources() {
     local file=$1 text=$2 seen=" " word path todo
-    if printf '%s\n' "$text" | grep -q 'photonlab"* preview'; then seen=" $(echo lib/preview/*.c) "; fi
+    if printf '%s\n' "$text" | grep -q 'photonlab"* preview'; then seen=" $(echo lib/preview/*.c lib/preview/*/*.c) "; fi
     todo=$text
     while [ -n "$todo" ]; do
         local next=""

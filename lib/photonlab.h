@@ -25,9 +25,9 @@
 #ifndef PHOTONLAB_H
 #define PHOTONLAB_H
 
-#include "error.h"    // Error, error_set
-#include "parallel.h" // parallel_threads, clock_seconds
-#include "progress.h" // Progress
+#include "base/error.h"    // Error, error_set
+#include "base/parallel.h" // parallel_threads, clock_seconds
+#include "base/progress.h" // Progress
 
 #include "math/colour.h" // Colour, colour_…
 #include "math/frame.h"  // Frame, frame_about, frame_to_world
@@ -40,13 +40,13 @@
 #include "scene/light.h"           // Light, light_sample
 #include "scene/material.h"        // Material, material_brdf, material_albedo
 #include "scene/scene.h"           // Scene, scene_load, scene_intersect, scene_occluded
-#include "scene/shape.h"           // Flat, Sphere
+#include "scene/bvh/shape.h"           // Flat, Sphere
 
 #include "photons/gather.h"      // Gather, gather_near
 #include "photons/photon.h"      // Photon, StoredPhoton
 #include "photons/photon_map.h"  // PhotonMap, photon_map_build, photon_map_nearest
-#include "photons/photon_pass.h" // PhotonPass, photon_pass_run, Ledger
-#include "photons/trace.h"       // photon_fly, photon_store
+#include "photons/pass/photon_pass.h" // PhotonPass, photon_pass_run, Ledger
+#include "photons/pass/trace.h"       // photon_fly, photon_store
 
 #include "render/render.h" // RenderOptions, render_image
 

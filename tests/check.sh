@@ -59,7 +59,7 @@ part "build" "$make" --no-print-directory EXTRA=-Werror judge class-tools meshes
 aside check-preview check-notes check-attacks check-class check-reports check-judge
 part "unit tests" "$make" --no-print-directory EXTRA=-Werror check-unit
 # The preview's start compilers and draw by software; under sanitizers that takes longer than it tells.
-part "unit tests under sanitizers" "$make" --no-print-directory check-sanitized SKIP=tests/unit/test_preview_%
+part "unit tests under sanitizers" "$make" --no-print-directory check-sanitized SKIP=tests/unit/preview/%
 part "gcc and clang, threads: the same bytes" "$make" --no-print-directory check-bytes
 part "command line" "$make" --no-print-directory check-cli
 part "command line under sanitizers" "$make" --no-print-directory check-cli-sanitized

@@ -1,5 +1,5 @@
 #include "cli/cli.h"
-#include "photons/oddities.h"
+#include "photons/pass/oddities.h"
 
 #include <errno.h>
 #include <getopt.h>

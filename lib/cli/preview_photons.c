@@ -1,6 +1,6 @@
 #include "cli/preview_photons.h"
-#include "cli/probe_scatter.h"
-#include "file.h"
+#include "judge/probe/probe_scatter.h"
+#include "base/file.h"
 
 #include <stdlib.h>
 #include <string.h>

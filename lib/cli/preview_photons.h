@@ -3,8 +3,8 @@
 #ifndef PHOTONLAB_CLI_PREVIEW_PHOTONS_H
 #define PHOTONLAB_CLI_PREVIEW_PHOTONS_H
 
-#include "error.h"
-#include "preview/scatter.h"
+#include "base/error.h"
+#include "preview/view/scatter.h"
 
 // The file may hold anything: one that is not well formed is refused, photons that cannot be drawn (no numbers, no such
 // material) are left out. Free with scatter_free.

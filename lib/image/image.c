@@ -1,5 +1,5 @@
 #include "image/codec.h"
-#include "file.h"
+#include "base/file.h"
 
 #include <math.h>
 #include <stdlib.h>

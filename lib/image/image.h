@@ -3,7 +3,7 @@
 #ifndef PHOTONLAB_IMAGE_IMAGE_H
 #define PHOTONLAB_IMAGE_IMAGE_H
 
-#include "error.h"
+#include "base/error.h"
 #include "math/colour.h"
 
 #include <stdbool.h>

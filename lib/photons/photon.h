@@ -32,6 +32,9 @@ typedef struct {
     const void *left_material; // and what the surface is made of (NULL: fresh from the light)
 } Photon;
 
+// One thread's share of a photon pass; see pass/trace.h, whose calls take it.
+typedef struct PhotonTrace PhotonTrace;
+
 // A photon at rest in the map: 32 bytes.
 typedef struct {
     Vec3 position;

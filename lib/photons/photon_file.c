@@ -1,5 +1,5 @@
 #include "photons/photon_file.h"
-#include "file.h"
+#include "base/file.h"
 
 #include <string.h>
 #include <strings.h>

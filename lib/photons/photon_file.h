@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_PHOTONS_PHOTON_FILE_H
 #define PHOTONLAB_PHOTONS_PHOTON_FILE_H
 
-#include "error.h"
+#include "base/error.h"
 #include "photons/photon.h"
 
 #include <stddef.h>

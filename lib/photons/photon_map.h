@@ -10,7 +10,7 @@
 #ifndef PHOTONLAB_PHOTONS_PHOTON_MAP_H
 #define PHOTONLAB_PHOTONS_PHOTON_MAP_H
 
-#include "error.h"
+#include "base/error.h"
 #include "photons/photon.h"
 
 #include <stddef.h>

@@ -1,6 +1,6 @@
 // The window: what the mouse does, and when to draw. Everything else is the session's; the keys: app_keys.c
 #include "preview/app.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 #include <math.h>
 #include <stdio.h>

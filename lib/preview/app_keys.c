@@ -1,5 +1,5 @@
 // What each key does.
-#include "parallel.h"
+#include "base/parallel.h"
 #include "preview/app.h"
 
 #include <math.h>

@@ -2,8 +2,8 @@
 #ifndef PHOTONLAB_PREVIEW_PREVIEW_H
 #define PHOTONLAB_PREVIEW_PREVIEW_H
 
-#include "preview/context.h"
-#include "preview/view.h"
+#include "preview/draw/context.h"
+#include "preview/view/view.h"
 
 typedef struct {
     const char *scene_path;

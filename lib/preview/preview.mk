@@ -1,11 +1,11 @@
 # The live preview; included by the Makefile. lib/preview/ belongs to the program, not to the library: steps never draw.
 
-PREVIEW_SOURCES = $(wildcard lib/preview/*.c)
-PREVIEW_TESTS   = $(wildcard tests/unit/test_preview_*.c)
+PREVIEW_SOURCES := $(call find_c,lib/preview)
+PREVIEW_TESTS   = $(wildcard tests/unit/preview/*.c)
 
 $(PREVIEW_TESTS:tests/unit/%.c=$(BUILD)/tests/%): $(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(call object,$(PREVIEW_SOURCES)) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/..' -o $@ $(LDLIBS)
+	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/../..' -o $@ $(LDLIBS)
 
 # STAGE chooses the scene, where SCENE does not: one in which all of its steps play, mirror and glass of stage 1 too.
 PREVIEW_SCENE_1  = scenes/box_glass.yaml

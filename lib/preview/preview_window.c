@@ -1,6 +1,6 @@
 // The window's loop: sleep, take what has come, draw when something changed.
 #include "preview/app.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 #include <math.h>
 #include <stdio.h>

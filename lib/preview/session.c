@@ -1,5 +1,5 @@
 #include "preview/session.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 #include <stdio.h>
 #include <string.h>

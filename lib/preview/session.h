@@ -4,7 +4,7 @@
 #define PHOTONLAB_PREVIEW_SESSION_H
 
 #include "preview/preview.h"
-#include "preview/watch.h"
+#include "preview/watch/watch.h"
 
 // COMING: the student's photons that are there already, of a run that is not done. Not yet YOURS, since it may still crash.
 enum { YOURS, REFERENCE, RUN_SIDES, COMING = RUN_SIDES, SIDES };

@@ -1,6 +1,6 @@
 // What is asked of the helper processes.
 #include "preview/session.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_PREVIEW_WINDOW_H
 #define PHOTONLAB_PREVIEW_WINDOW_H
 
-#include "preview/canvas.h"
+#include "preview/draw/canvas.h"
 
 typedef struct Window Window;
 

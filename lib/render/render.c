@@ -1,5 +1,5 @@
 #include "render/render.h"
-#include "parallel.h"
+#include "base/parallel.h"
 #include "render/eye.h"
 
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #define PHOTONLAB_RENDER_RENDER_H
 
 #include "image/image.h"
-#include "photons/photon_pass.h"
+#include "photons/pass/photon_pass.h"
 #include "steps/steps.h"
 
 typedef enum {

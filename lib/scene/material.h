@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_SCENE_MATERIAL_H
 #define PHOTONLAB_SCENE_MATERIAL_H
 
-#include "error.h"
+#include "base/error.h"
 #include "math/colour.h"
 #include "math/vec3.h"
 

@@ -2,12 +2,12 @@
 #ifndef PHOTONLAB_SCENE_SCENE_H
 #define PHOTONLAB_SCENE_SCENE_H
 
-#include "error.h"
-#include "scene/bvh.h"
+#include "base/error.h"
+#include "scene/bvh/bvh.h"
 #include "scene/camera.h"
 #include "scene/light.h"
 #include "scene/material.h"
-#include "scene/shape.h"
+#include "scene/bvh/shape.h"
 
 #include <stddef.h>
 

@@ -3,8 +3,9 @@
 #ifndef PHOTONLAB_STEPS_DIFFUSE_PHOTON_MAP_H
 #define PHOTONLAB_STEPS_DIFFUSE_PHOTON_MAP_H
 
+#include "math/rng.h"
 #include "photons/gather.h"
-#include "photons/trace.h"
+#include "photons/photon.h"
 
 // 1.1  The mirror direction: `direction` (unit, flying towards the surface) reflected about `normal` (unit, either
 // side).

@@ -6,7 +6,10 @@
 #ifndef PHOTONLAB_STEPS_GLOSSY_LOBE_H
 #define PHOTONLAB_STEPS_GLOSSY_LOBE_H
 
-#include "photons/trace.h"
+#include "math/rng.h"
+#include "math/vec3.h"
+
+#include <stdbool.h>
 
 // 2.1  A unit direction in the cosine lobe about +z: density (n+1)/(2π)·cosⁿα, α the angle to +z, n = exponent ≥ 0.
 //          cosα = u₁^(1/(n+1)),  sinα = √(1 − u₁^(2/(n+1))),  φ = 2πu₂

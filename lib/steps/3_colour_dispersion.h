@@ -2,7 +2,9 @@
 #ifndef PHOTONLAB_STEPS_COLOUR_DISPERSION_H
 #define PHOTONLAB_STEPS_COLOUR_DISPERSION_H
 
-#include "photons/trace.h"
+#include "math/rng.h"
+#include "photons/photon.h"
+#include "scene/material.h"
 
 // 3.1  Snell's law. `direction` (unit) flies towards the surface, `normal` (unit) faces it, eta = n_i/n_t. With
 // cosθ_i = −d·n:

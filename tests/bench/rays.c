@@ -2,7 +2,7 @@
 // with Embree. usage: rays box|mesh THREADS [RAYS] [REPEATS], or: rays tiny   (six parallelograms and two
 // spheres, one thread)
 #include "rays_common.h"
-#include "scene/bvh.h"
+#include "scene/bvh/bvh.h"
 
 #ifdef _OPENMP
 #include <omp.h>

@@ -3,11 +3,11 @@
 CLASS_UNPACK = $(BUILD)/class_unpack
 CLASS_TABLE  = $(BUILD)/class_table
 
-$(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack*.c)) $(LIBRARY)
+$(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack/*.c)) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ -larchive $(LDLIBS)
 
-$(CLASS_TABLE): $(call object,$(wildcard tests/class/class_*.c) tests/judge/report/text.c) $(LIBRARY)
+$(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) tests/judge/report/text.c) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ -ljansson $(LDLIBS)
 

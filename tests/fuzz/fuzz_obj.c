@@ -1,7 +1,7 @@
 // Feeds the OBJ reader with whatever libFuzzer thinks of: a mesh or a message, no crash, no leak.
 // Build and run: make fuzz READER=obj
-#include "scene/limits.h"
-#include "scene/obj.h"
+#include "scene/file/limits.h"
+#include "scene/file/obj.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_JUDGE_ARGUMENTS_H
 #define PHOTONLAB_JUDGE_ARGUMENTS_H
 
-#include "grade.h"
+#include "judge/grade/grade.h"
 
 #define EXIT_FAILS    1
 #define EXIT_USAGE    2

@@ -1,12 +1,12 @@
 // judge: grades a submission. It never loads a student's code: `photonlab probe` runs that, in a sandbox, and the judge
 // looks at the numbers that come out.
-#include "step_features.h"
+#include "judge/grade/step_features.h"
 #include "arguments.h"
-#include "../steps/pictures.h"
-#include "points.h"
+#include "judge/checks/pictures.h"
+#include "judge/grade/points.h"
 #include "report_json.h"
 #include "stages.h"
-#include "submission.h"
+#include "judge/grade/submission.h"
 
 #include <math.h>
 #include <stdio.h>

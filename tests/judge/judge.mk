@@ -1,7 +1,8 @@
 # The judge and what students and teachers do with it; included by the Makefile.
 
 JUDGE         = $(BUILD)/judge
-JUDGE_SOURCES = $(filter-out tests/judge/test_%,$(wildcard tests/judge/*.c)) $(wildcard tests/steps/*.c) tests/judge/report/text.c
+JUDGE_SOURCES := $(filter-out %/test_sandbox.c,$(wildcard tests/judge/*.c) $(call find_c,$(addprefix tests/judge/,checks grade sandbox scatter) tests/steps)) \
+                 tests/judge/report/text.c
 JUDGE_LIBS    = $(or $(if $(PKG),$(shell pkg-config --libs gsl jansson libseccomp 2>/dev/null)),-lgsl -lgslcblas -ljansson -lseccomp)
 
 $(JUDGE): $(call object,$(JUDGE_SOURCES)) $(LIBRARY)
@@ -51,7 +52,7 @@ $(BUILD)/tests/print_sample: $(call object,tests/judge/report/test/print_sample.
 check-reports: $(WRITE_REPORTS) $(BUILD)/tests/print_sample
 	@bash tests/judge/report_test.sh $^
 
-SANDBOX_OBJECTS = $(call object,tests/judge/test_sandbox.c $(wildcard tests/judge/sandbox*.c) lib/error.c)
+SANDBOX_OBJECTS = $(call object,tests/judge/sandbox/test_sandbox.c $(wildcard tests/judge/sandbox/sandbox*.c) lib/base/error.c)
 $(BUILD)/tests/test_sandbox: $(SANDBOX_OBJECTS)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(SANDBOX_OBJECTS) -o $@ -lseccomp $(LDLIBS)
@@ -63,8 +64,8 @@ bench-test: judge
 
 ## calibrate       what right code's pictures are like: tests/reference/pictures/ (ten minutes of processor time)
 .PHONY: calibrate
-CALIBRATE_OBJECTS = $(call object,$(wildcard tests/judge/calibrate/*.c) tests/steps/pictures.c tests/steps/picture_statistics.c \
-                      tests/judge/plan.c tests/judge/statistics.c)
+CALIBRATE_OBJECTS = $(call object,$(wildcard tests/judge/calibrate/*.c) tests/judge/checks/pictures.c tests/judge/checks/picture_statistics.c \
+                      tests/judge/checks/plan.c tests/judge/checks/statistics.c)
 $(BUILD)/calibrate: $(CALIBRATE_OBJECTS) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(CC) $(CFLAGS) $(CALIBRATE_OBJECTS) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(JUDGE_LIBS) $(LDLIBS)

@@ -1,5 +1,5 @@
 // What the person at the terminal reads: stages, steps, what is wrong and where to go on, and the sums.
-#include "scatter.h"
+#include "judge/scatter/scatter.h"
 #include "report/text.h"
 
 #include <stdlib.h>

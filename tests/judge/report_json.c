@@ -1,5 +1,5 @@
 #include "report_json.h"
-#include "file.h"
+#include "base/file.h"
 #include "report/text.h"
 
 #include <errno.h>

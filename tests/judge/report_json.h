@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_JUDGE_REPORT_JSON_H
 #define PHOTONLAB_JUDGE_REPORT_JSON_H
 
-#include "scatter.h"
+#include "judge/scatter/scatter.h"
 
 typedef struct {
     const char *submission, *sandbox;

@@ -3,7 +3,7 @@
 #define PHOTONLAB_JUDGE_STAGES_H
 
 #include "arguments.h"
-#include "scatter.h"
+#include "judge/scatter/scatter.h"
 
 // All steps of a stage together; not where one step alone is asked for. Fills STAGE_COUNT of them, zeroed before.
 void stages_grade(const Arguments *a, const StepResult *results, int count, StageResult *stages);

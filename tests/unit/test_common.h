@@ -7,7 +7,7 @@
 #define PHOTONLAB_TEST_COMMON_H
 
 #include "photonlab.h"
-#include "scene/scene_load.h"
+#include "scene/file/scene_load.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

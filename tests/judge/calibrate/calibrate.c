@@ -1,4 +1,4 @@
-// calibrate: what right code's pictures are like, for the image verdict (tests/steps/pictures.h). Started in the checkout's
+// calibrate: what right code's pictures are like, for the image verdict (tests/judge/checks/pictures.h). Started in the checkout's
 // root; writes tests/reference/pictures/. The same seed gives the same files, whatever the number of jobs.
 //
 // With --measure it writes nothing, but counts how often fresh groups of pictures fail: of right code, the false verdicts;

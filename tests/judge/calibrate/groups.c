@@ -1,7 +1,7 @@
 #define _GNU_SOURCE // popen, mkstemp
 #include "groups.h"
 
-#include "cli/probe.h"
+#include "judge/probe/probe.h"
 
 #include <stdio.h>
 #include <stdlib.h>

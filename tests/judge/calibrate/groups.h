@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_JUDGE_CALIBRATE_GROUPS_H
 #define PHOTONLAB_JUDGE_CALIBRATE_GROUPS_H
 
-#include "../../steps/pictures.h"
+#include "judge/checks/pictures.h"
 
 typedef struct {
     const PictureSet *set;

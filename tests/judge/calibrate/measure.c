@@ -1,6 +1,6 @@
 // How often groups of pictures fail in the first round, by the judge's own functions.
-#include "../../steps/step_checks.h"
-#include "../statistics.h"
+#include "judge/checks/step_checks.h"
+#include "judge/checks/statistics.h"
 #include "calibrate.h"
 
 #include <math.h>

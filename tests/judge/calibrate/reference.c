@@ -1,5 +1,5 @@
 // Means and spreads of right code's pictures, and the thresholds that groups of K stay below.
-#include "../statistics.h"
+#include "judge/checks/statistics.h"
 #include "calibrate.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 // What is to be looked at: histograms as SVG, pictures as PNG, both inside the page.
-#include "file.h"
+#include "base/file.h"
 #include "report.h"
 
 #include "image/difference.h"

@@ -1,6 +1,6 @@
 // report.json, strictly: every field must be there, none else, and the sums must agree with the steps.
 #include "fields.h"
-#include "file.h"
+#include "base/file.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -12,7 +12,7 @@
 #ifndef PHOTONLAB_JUDGE_REPORT_H
 #define PHOTONLAB_JUDGE_REPORT_H
 
-#include "error.h"
+#include "base/error.h"
 #include "text.h"
 
 #include <stdbool.h>

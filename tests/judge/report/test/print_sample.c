@@ -1,5 +1,5 @@
 // Prints made-up results, for report_test.sh to read. Usage: print_sample [verbose]
-#include "../../scatter.h"
+#include "judge/scatter/scatter.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,0 +1,120 @@
+#define _GNU_SOURCE // REG_RIP
+#include "base/crash_report.h"
+
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+#if defined(__GLIBC__) || defined(__APPLE__)
+#include <execinfo.h>
+#define HAS_BACKTRACE 1
+#endif
+
+#if defined(__linux__)
+#include <ucontext.h>
+#endif
+
+static char *stack_top; // somewhere near the stack's beginning
+
+char *crash_put_text(char *to, const char *text)
+{
+    while (*text)
+        *to++ = *text++;
+    return to;
+}
+
+char *crash_put_number(char *to, unsigned long long value, unsigned base)
+{
+    char digits[24];
+    int count = 0;
+    do {
+        digits[count++] = "0123456789abcdef"[value % base];
+        value /= base;
+    } while (value);
+    while (count > 0)
+        *to++ = digits[--count];
+    return to;
+}
+
+unsigned long long crash_peak_kb(void)
+{
+    char text[4096];
+    int fd = open("/proc/self/status", O_RDONLY);
+    ssize_t size = fd >= 0 ? read(fd, text, sizeof text - 1) : 0;
+    if (fd >= 0)
+        close(fd);
+    text[size > 0 ? size : 0] = '\0';
+    const char *line = strstr(text, "VmPeak:");
+    unsigned long long value = 0;
+    for (const char *c = line ? line + 7 : ""; *c && *c != '\n'; c++)
+        if (*c >= '0' && *c <= '9')
+            value = 10 * value + (unsigned long long)(*c - '0');
+    return value;
+}
+
+// Where the program was, and its stack's lower end; NULL where this system's way to tell is not known.
+static void read_context(void *context, char **place, char **stack)
+{
+    *place = *stack = NULL;
+#if defined(__linux__) && defined(__x86_64__)
+    ucontext_t *state = context;
+    *place = (char *)(size_t)state->uc_mcontext.gregs[REG_RIP];
+    *stack = (char *)(size_t)state->uc_mcontext.gregs[REG_RSP];
+#elif defined(__linux__) && defined(__aarch64__)
+    ucontext_t *state = context;
+    *place = (char *)(size_t)state->uc_mcontext.pc;
+    *stack = (char *)(size_t)state->uc_mcontext.sp;
+#else
+    (void)context;
+#endif
+}
+
+static bool is_below_stack(int number, const char *address, const char *stack)
+{
+    ptrdiff_t depth = stack_top - address;
+    if (number != SIGSEGV || depth < (7 << 20))
+        return false;
+    return stack ? address >= stack - (64 << 10) : depth < (64 << 20);
+}
+
+CrashPlace crash_place(int number, const siginfo_t *info, void *context)
+{
+    CrashPlace where;
+    char *stack;
+    read_context(context, &where.place, &stack);
+    where.stack_far = is_below_stack(number, info->si_addr, stack);
+    where.peak_kb = crash_peak_kb();
+    return where;
+}
+
+int crash_frames(const char *place, void *frames[CRASH_FRAMES])
+{
+    int count = 0, first = 0;
+#ifdef HAS_BACKTRACE
+    count = backtrace(frames, CRASH_FRAMES);
+#endif
+    for (int i = 0; i < count; i++)
+        if (frames[i] == (const void *)place)
+            first = i + 1; // what lies before is the handler
+    memmove(frames, frames + first, (size_t)(count - first) * sizeof *frames);
+    return count - first;
+}
+
+void crash_watch(CrashHandler handler, const int *signals, size_t count)
+{
+    static char room[64 << 10];
+    char here;
+    stack_top = &here;
+#ifdef HAS_BACKTRACE
+    void *first[1];
+    backtrace(first, 1); // the first call loads a library, which a handler must not
+#endif
+    stack_t stack = {.ss_sp = room, .ss_size = sizeof room};
+    sigaltstack(&stack, NULL);
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_sigaction = handler;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+    for (size_t i = 0; i < count; i++)
+        sigaction(signals[i], &action, NULL);
+}

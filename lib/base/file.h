@@ -1,0 +1,27 @@
+// Whole files: reading all of one, and writing one so that it is there in full or not at all.
+#ifndef PHOTONLAB_FILE_H
+#define PHOTONLAB_FILE_H
+
+#include "base/error.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+// The bytes of a regular file of at most `most` bytes, with a 0 byte behind the last; the caller frees them. NULL with
+// "path: what is wrong" in the error otherwise.
+char *file_read(const char *path, size_t most, size_t *size, Error *error);
+
+// A file being written beside the place it is meant for.
+typedef struct {
+    FILE *stream; // write here
+    char *path, *beside;
+} FileWriter;
+
+// Opens a new file next to `path`. Refuses to replace anything but a regular file that may be written.
+bool file_write_begin(FileWriter *writer, const char *path, Error *error);
+
+// With `keep`: closes the file and renames it to the path. Otherwise, or when the disk took less than it was given,
+// removes it and leaves what stood at the path as it was. True when the file is in place.
+bool file_write_end(FileWriter *writer, bool keep, Error *error);
+
+#endif

@@ -1,0 +1,132 @@
+#include "base/text.h"
+#include "base/file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+char *text_read_file(const char *path, size_t max, size_t *size, Error *error)
+{
+    char *text = file_read(path, max, size, error);
+    if (text && *size == 0) {
+        error_set(error, "%s:1:1: the file is empty", path);
+        free(text);
+        text = NULL;
+    }
+    return text;
+}
+
+static bool is_digit(const char *at, const char *end)
+{
+    return at < end && *at >= '0' && *at <= '9';
+}
+
+static double scale_by_ten(double value, long exponent)
+{
+    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    for (; exponent > 22 && isfinite(value); exponent -= 22)
+        value *= 1e22;
+    for (; exponent < -22 && value != 0; exponent += 22)
+        value /= 1e22;
+    if (exponent > 22 || exponent < -22)
+        return value; // already infinity or 0
+    return exponent < 0 ? value / powers[-exponent] : value * powers[exponent];
+}
+
+// Reads "e-12" and gives −12; 0 when no exponent stands there.
+static long read_exponent(const char **at, const char *end)
+{
+    const char *p = *at;
+    if (p >= end || (*p != 'e' && *p != 'E'))
+        return 0;
+    bool negative = ++p < end && *p == '-';
+    if (p < end && (*p == '-' || *p == '+'))
+        p++;
+    if (!is_digit(p, end))
+        return 0;
+    long exponent = 0;
+    for (; is_digit(p, end); p++)
+        exponent = exponent < 100000 ? exponent * 10 + (*p - '0') : exponent;
+    *at = p;
+    return negative ? -exponent : exponent;
+}
+
+bool text_number(const char **at, const char *end, double *value)
+{
+    const char *p = *at;
+    bool negative = p < end && *p == '-';
+    if (p < end && (*p == '-' || *p == '+'))
+        p++;
+    // Eighteen digits fit into 64 bits; further ones only move the decimal point.
+    unsigned long long digits = 0;
+    long exponent = 0;
+    bool any = false, after_point = false;
+    for (; is_digit(p, end) || (p < end && *p == '.' && !after_point); p++) {
+        if (*p == '.') {
+            after_point = true;
+            continue;
+        }
+        any = true;
+        bool fits = digits < 100000000000000000ull;
+        if (fits)
+            digits = digits * 10 + (unsigned)(*p - '0');
+        exponent += (fits ? 0 : 1) - (after_point ? 1 : 0);
+    }
+    if (!any)
+        return false;
+    *value = scale_by_ten((double)digits, exponent + read_exponent(&p, end));
+    if (negative)
+        *value = -*value;
+    *at = p;
+    return true;
+}
+
+// Levenshtein 1966: the fewest letters inserted, removed or replaced that turn a into b.
+static size_t edit_distance(const char *a, const char *b)
+{
+    size_t row[64], length = strlen(b);
+    if (strlen(a) >= 64 || length >= 64)
+        return 64;
+    for (size_t j = 0; j <= length; j++)
+        row[j] = j;
+    for (size_t i = 0; a[i]; i++) {
+        size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (size_t j = 0; j < length; j++) {
+            size_t replace = diagonal + (a[i] != b[j]);
+            size_t shift = 1 + (row[j] < row[j + 1] ? row[j] : row[j + 1]);
+            diagonal = row[j + 1];
+            row[j + 1] = replace < shift ? replace : shift;
+        }
+    }
+    return row[length];
+}
+
+void text_suggest(char *message, size_t size, const char *word, TextNameAt name_at, const void *list)
+{
+    const char *nearest = NULL, *name;
+    size_t best = 3;
+    for (size_t i = 0; (name = name_at(list, i)); i++) {
+        size_t distance = edit_distance(word, name);
+        if (distance < best && distance < strlen(name)) {
+            best = distance;
+            nearest = name;
+        }
+    }
+    if (nearest) {
+        snprintf(message, size, "did you mean '%s'?", nearest);
+        return;
+    }
+    size_t used = (size_t)snprintf(message, size, name_at(list, 0) ? "expected one of" : "there are none");
+    for (size_t i = 0; (name = name_at(list, i)) && used < size; i++)
+        used += (size_t)snprintf(message + used, size - used, i ? ", %s" : ": %s", name);
+}
+
+void text_make_printable(char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text < ' ' || *text == 127)
+            *text = '?';
+}

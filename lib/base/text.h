@@ -1,0 +1,29 @@
+// Reading text: whole files, numbers, and names that were nearly right.
+#ifndef PHOTONLAB_SCENE_TEXT_H
+#define PHOTONLAB_SCENE_TEXT_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// Reads a regular file of 1 … max bytes; a 0 byte follows the last. The caller frees the text. NULL when that
+// fails, with "path: what is wrong" in the error.
+char *text_read_file(const char *path, size_t max, size_t *size, Error *error);
+
+// Reads a decimal number (1, -.5, 2.5e-3) at *at and moves *at behind it. The decimal sign is a point in
+// every locale. False, and *at unmoved, when none stands there: hexadecimal, nan and inf are none. Too large
+// ones give infinity.
+bool text_number(const char **at, const char *end, double *value);
+
+// Name number i of a list, NULL past the last.
+typedef const char *(*TextNameAt)(const void *list, size_t i);
+
+// What to say of a word that is not in a list: "did you mean 'radius'?" when a name is near, else "expected
+// one of: a, b".
+void text_suggest(char *message, size_t size, const char *word, TextNameAt name_at, const void *list);
+
+// Makes control characters, which could upset a terminal, into '?'.
+void text_make_printable(char *text);
+
+#endif

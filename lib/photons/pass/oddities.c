@@ -1,0 +1,102 @@
+#include "photons/pass/oddities.h"
+#include "steps/2_glossy_lobe.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+// The spread of fewer paths is itself too uncertain to accuse anybody: of one path it is 0, whatever chance did, and of
+// a hundred it is still too small now and then.
+#define FEWEST_PATHS 1000
+
+// Which steps give directions at which surface, and whose turn it is when none of those is the student's.
+static const struct {
+    const char *place;
+    const char *steps[6];
+} sources[] = {
+    [MATERIAL_DIFFUSE] = {"a diffuse surface", {"1.3", NULL}},
+    [MATERIAL_GLOSSY] = {"a glossy surface", {"1.3", "2.1", "2.2", "2.3", "2.4", NULL}},
+    [MATERIAL_MIRROR] = {"a mirror", {"1.1", NULL}},
+    [MATERIAL_GLASS] = {"glass", {"1.1", "3.1", NULL}},
+    [MATERIAL_LIGHT] = {"the light", {"1.2", "1.3", NULL}},
+};
+static const char *const loops[] = {"1.5", "3.4", NULL};
+// What a photon's power, or whether it goes on, may hang on.
+static const char *const weights[] = {"1.4", "1.5", "2.1", "2.2", "2.3", "2.4",
+                                      "3.1", "3.2", "3.3", "3.4", "3.5", NULL};
+
+// "your step 1.3 (scatter_diffuse)", "one of your steps 1.3, 2.4"; false: none of these is the student's.
+static bool name_suspects(const char *const *ids, const StepState *states, char *text, size_t size)
+{
+    const StepInfo *only = NULL;
+    char list[64] = "";
+    int count = 0;
+    for (; *ids; ids++) {
+        const StepInfo *step = step_find(*ids);
+        if (states[step - step_table] != STEP_STUDENT)
+            continue;
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", count++ > 0 ? ", " : "", step->id);
+        only = step;
+    }
+    if (count == 1)
+        snprintf(text, size, "your step %s (%s)", only->id, only->symbol);
+    else
+        snprintf(text, size, "one of your steps %s", list);
+    return count > 0;
+}
+
+static void describe_unsound(const UnsoundPaths *unsound, const StepState *states, char *text, size_t size)
+{
+    int most = 0;
+    for (int i = 1; i <= MATERIAL_LIGHT; i++)
+        if (unsound->at[i] > unsound->at[most])
+            most = i;
+    char who[96], length[32] = "no number (NaN)";
+    if (!name_suspects(sources[most].steps, states, who, sizeof who) && !name_suspects(loops, states, who, sizeof who))
+        snprintf(who, sizeof who, "a step");
+    if (!isnan(unsound->length))
+        snprintf(length, sizeof length, "%.3g", (double)unsound->length);
+    char share[48] = "";
+    if (unsound->at[most] < unsound->total)
+        snprintf(share, sizeof share, ", %ld of them", unsound->at[most]);
+    snprintf(text, size, "%ld paths ended%s at %s: %s gave a direction whose length is %s, not 1\n", unsound->total,
+             share, sources[most].place, who, length);
+}
+
+static void describe_energy(const Ledger *ledger, const StepState *states, char *text, size_t size)
+{
+    static const char *const names[] = {"red", "green", "blue"};
+    char who[96];
+    if (!name_suspects(weights, states, who, sizeof who))
+        snprintf(who, sizeof who, "the steps");
+    for (int c = 0; c < 3; c++) {
+        double chance = ledger->chance[c], error = ledger->chance_error[c];
+        // Rounding alone moves the sum by a millionth.
+        if (fabs(chance) <= 5.0 * error + 1e-6 * ledger->emitted[c])
+            continue;
+        if (isfinite(chance))
+            snprintf(text, size,
+                     "energy: of %.4g W of %s light, bounces %s %.4g W for no reason, where 0 ± %.2g is right. A "
+                     "weight or probability is off, or does not fit its directions: look at %s\n",
+                     ledger->emitted[c], names[c], chance < 0.0 ? "gained" : "lost", fabs(chance), error, who);
+        else
+            snprintf(text, size, "energy: a photon's power is no number (NaN), or infinite: look at %s\n", who);
+        return;
+    }
+}
+
+void oddities_describe(const Oddities *found, char *text, size_t size)
+{
+    text[0] = '\0';
+    if (found->redraw_caps > 0)
+        snprintf(text, size, "step 2.3: %ld photons were dropped after %d redraws of the lobe\n", found->redraw_caps,
+                 MAX_LOBE_TRIES);
+    size_t used = strlen(text);
+    if (found->unsound->total > 0)
+        describe_unsound(found->unsound, found->states, text + used, size - used);
+    used = strlen(text);
+    // What paths that ended too early would have brought is missing, and no fault of a weight.
+    if (found->paths >= FEWEST_PATHS && found->unsound->total == 0)
+        describe_energy(found->ledger, found->states, text + used, size - used);
+}

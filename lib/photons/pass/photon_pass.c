@@ -1,0 +1,230 @@
+#include "photons/pass/trace_internal.h"
+#include "math/sample.h"
+#include "base/parallel.h"
+#include "steps/steps.h"
+
+#include <stdlib.h>
+
+#define CHUNK 4096 // paths a thread takes at a time
+
+// Probability and running sum by which a light is picked, in proportion to its power.
+typedef struct {
+    float probability, up_to;
+} LightChance;
+
+static LightChance *light_chances(const Scene *scene)
+{
+    LightChance *chances = calloc(scene->light_count, sizeof *chances);
+    if (!chances)
+        return NULL;
+    double total = 0.0;
+    for (size_t i = 0; i < scene->light_count; i++)
+        total += (double)colour_sum(scene->lights[i].power);
+    double sum = 0.0;
+    for (size_t i = 0; i < scene->light_count; i++) {
+        double power = (double)colour_sum(scene->lights[i].power);
+        sum += power;
+        chances[i].probability = (float)(power / total);
+        chances[i].up_to = (float)(sum / total);
+    }
+    return chances;
+}
+
+static size_t pick_light(const LightChance *chances, size_t count, Rng *rng)
+{
+    if (count == 1)
+        return 0;
+    float u = rng_float(rng);
+    size_t i = 0;
+    while (i + 1 < count && u >= chances[i].up_to)
+        i++;
+    return i;
+}
+
+Photon light_emit(const Light *light, Rng *rng)
+{
+    if (light->type == LIGHT_RECTANGLE)
+        return steps.emit_photon(light, rng);
+    float u = rng_float(rng);
+    float v = rng_float(rng);
+    if (light->type == LIGHT_BEAM) {
+        Vec3 spot = sample_disk(u, v);
+        Vec3 position = vec3_along(light->position, light->edge_u, spot.x * light->radius);
+        position = vec3_along(position, light->edge_v, spot.y * light->radius);
+        return photon_create(position, light->direction, light->power);
+    }
+    if (light->type == LIGHT_SPOT) {
+        Frame frame = frame_about(light->direction);
+        Vec3 direction = frame_to_world(&frame, sample_cone(light->cos_cone, u, v));
+        return photon_create(light->position, direction, light->power);
+    }
+    Vec3 outward = sample_sphere(u, v);
+    if (light->type == LIGHT_POINT)
+        return photon_create(light->position, outward, light->power);
+    Vec3 position = vec3_along(light->position, outward, light->radius);
+    float s = rng_float(rng);
+    float t = rng_float(rng);
+    return photon_create(position, sample_cosine(outward, s, t), light->power);
+}
+
+static void close_path(PhotonTrace *trace)
+{
+    for (int c = 0; c < 3; c++) {
+        double chance = trace->path_chance[c];
+        trace->ledger.chance[c] += chance;
+        trace->ledger.chance_error[c] += chance * chance;
+        trace->path_chance[c] = 0.0;
+    }
+}
+
+static void trace_chunk(PhotonTrace *trace, const PhotonPassOptions *options, const LightChance *chances, long first,
+                        long last)
+{
+    const Scene *scene = trace->scene;
+    void (*trace_path)(PhotonTrace *, Photon, Rng *) =
+        options->loop ? steps.trace_photon : steps.trace_photon_in_colour;
+    for (long i = first; i < last; i++) {
+        if (trace->recorder)
+            trace->recorder->path(trace->recorder->user, i);
+        Rng rng = rng_create(options->seed, (uint64_t)i);
+        size_t l = pick_light(chances, scene->light_count, &rng);
+        Photon photon = light_emit(&scene->lights[l], &rng);
+        float share = (float)(1.0 / ((double)options->photons * (double)chances[l].probability));
+        photon.power = colour_scale(photon.power, share);
+        photon.from = scene->lights[l].primitive;
+        trace->ledger.emitted[0] += (double)photon.power.r;
+        trace->ledger.emitted[1] += (double)photon.power.g;
+        trace->ledger.emitted[2] += (double)photon.power.b;
+        trace_path(trace, photon, &rng);
+        close_path(trace);
+    }
+}
+
+static void ledger_add(Ledger *sum, const Ledger *part)
+{
+    for (int c = 0; c < 3; c++) {
+        sum->emitted[c] += part->emitted[c];
+        sum->absorbed[c] += part->absorbed[c];
+        sum->escaped[c] += part->escaped[c];
+        sum->cut[c] += part->cut[c];
+        sum->chance[c] += part->chance[c];
+        sum->chance_error[c] += part->chance_error[c];
+    }
+}
+
+void unsound_paths_add(UnsoundPaths *sum, const UnsoundPaths *part)
+{
+    if (sum->total == 0)
+        sum->length = part->length;
+    sum->total += part->total;
+    for (int i = 0; i <= MATERIAL_LIGHT; i++)
+        sum->at[i] += part->at[i];
+}
+
+// Sums the chunks' books in their order and turns the squares into the standard error of the sum.
+static void close_books(PhotonPass *pass, const PhotonTrace *chunks, long chunk_count)
+{
+    for (long i = 0; i < chunk_count; i++) {
+        ledger_add(&pass->ledger, &chunks[i].ledger);
+        pass->segments += chunks[i].segments;
+        unsound_paths_add(&pass->unsound, &chunks[i].unsound);
+    }
+    for (int c = 0; c < 3; c++) {
+        double n = (double)pass->emitted;
+        double mean = pass->ledger.chance[c] / n;
+        double variance = pass->ledger.chance_error[c] / n - mean * mean;
+        pass->ledger.chance_error[c] = sqrt(fmax(0.0, variance) * n);
+    }
+}
+
+// Joins what the chunks stored, in their order, freeing each as it is done: photons are held twice only chunk by
+// chunk.
+static bool merge(PhotonPass *pass, PhotonTrace *chunks, long chunk_count, const PhotonPassOptions *options)
+{
+    bool part_caustics = (options->keep & KEEP_CAUSTIC) && !(options->keep & KEEP_DIRECT);
+    size_t total = 0;
+    size_t caustics = 0;
+    for (long i = 0; i < chunk_count; i++) { // where each chunk's photons start in either array
+        chunks[i].first_caustic = caustics;
+        chunks[i].first_rest = total - caustics;
+        total += chunks[i].count;
+        caustics += part_caustics ? chunks[i].caustics : 0;
+    }
+    pass->stored = total;
+    pass->caustic = (PhotonArray){malloc((caustics + 1) * sizeof(StoredPhoton)), caustics};
+    pass->rest = (PhotonArray){malloc((total - caustics + 1) * sizeof(StoredPhoton)), total - caustics};
+    if (!pass->caustic.photons || !pass->rest.photons)
+        return false;
+#pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
+    for (long i = 0; i < chunk_count; i++) {
+        StoredPhoton *to_caustic = pass->caustic.photons + chunks[i].first_caustic;
+        StoredPhoton *to_rest = pass->rest.photons + chunks[i].first_rest;
+        for (size_t j = 0; j < chunks[i].count; j++) {
+            bool apart = part_caustics && chunks[i].photons[j].path == PATH_CAUSTIC;
+            *(apart ? to_caustic++ : to_rest++) = chunks[i].photons[j];
+        }
+        free(chunks[i].photons);
+        chunks[i].photons = NULL;
+    }
+    return true;
+}
+
+static long last_path(const PhotonPassOptions *options)
+{
+    return options->last > 0 ? options->last : options->photons;
+}
+
+static void trace_all(const Scene *scene, const PhotonPassOptions *options, const LightChance *chances,
+                      PhotonTrace *chunks, long chunk_count)
+{
+    long done = 0;
+    long end = last_path(options);
+#pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
+    for (long i = 0; i < chunk_count; i++) {
+        PhotonTrace trace = {.scene = scene,
+                             .depth = options->depth,
+                             .keep = options->keep,
+                             .glossy = options->glossy,
+                             .recorder = options->recorder};
+        long first = options->first + i * CHUNK;
+        long last = first + CHUNK < end ? first + CHUNK : end;
+        trace_chunk(&trace, options, chances, first, last);
+        chunks[i] = trace; // at the end: neighbours in the array share cache lines
+#pragma omp critical(photon_pass_progress)
+        progress_report(&options->progress, "photons", (double)++done / (double)chunk_count);
+    }
+}
+
+bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, PhotonPass *pass, Error *error)
+{
+    *pass = (PhotonPass){.emitted = last_path(options) - options->first};
+    double start = clock_seconds();
+    long chunk_count = (pass->emitted + CHUNK - 1) / CHUNK;
+    PhotonTrace *chunks = calloc((size_t)chunk_count, sizeof *chunks);
+    LightChance *chances = light_chances(scene);
+    bool ok = chunks && chances;
+    if (ok) {
+        trace_all(scene, options, chances, chunks, chunk_count);
+        close_books(pass, chunks, chunk_count);
+        for (long i = 0; i < chunk_count; i++)
+            ok = ok && !chunks[i].out_of_memory;
+        ok = ok && merge(pass, chunks, chunk_count, options);
+        for (long i = 0; i < chunk_count; i++)
+            free(chunks[i].photons);
+    }
+    free(chunks);
+    free(chances);
+    pass->seconds = clock_seconds() - start;
+    if (!ok) {
+        photon_pass_free(pass);
+        return error_set(error, "not enough memory for the photons of %ld paths; use fewer", options->photons);
+    }
+    return true;
+}
+
+void photon_pass_free(PhotonPass *pass)
+{
+    free(pass->caustic.photons);
+    free(pass->rest.photons);
+    pass->caustic = pass->rest = (PhotonArray){NULL, 0};
+}

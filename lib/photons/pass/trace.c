@@ -1,0 +1,154 @@
+#include "photons/pass/trace_internal.h"
+#include "steps/steps.h"
+
+#include <stdlib.h>
+
+static void add_power(double sum[3], Colour power)
+{
+    sum[0] += (double)power.r;
+    sum[1] += (double)power.g;
+    sum[2] += (double)power.b;
+}
+
+// What lies between the light and the surface that this photon flies to.
+static PhotonPath path_after(const Photon *photon)
+{
+    const Material *left = photon->left_material;
+    if (!left)
+        return PATH_DIRECT;
+    if (material_is_rough(left))
+        return PATH_INDIRECT;
+    return photon->path == PATH_DIRECT ? PATH_CAUSTIC : photon->path;
+}
+
+// The books at an arrival: the albedo's share goes on, on average; what really goes on is seen at the next departure.
+static void book_arrival(PhotonTrace *trace, const Photon *photon, const Hit *hit)
+{
+    float cos_i = -vec3_dot(photon->direction, hit->normal);
+    Colour albedo = material_albedo(hit->material, trace->glossy, cos_i);
+    Colour onward = colour_mul(photon->power, albedo);
+    add_power(trace->ledger.absorbed, colour_sub(photon->power, onward));
+    add_power(trace->path_chance, onward);
+}
+
+static void note_unsound(UnsoundPaths *unsound, const Photon *photon)
+{
+    if (unsound->total++ == 0)
+        unsound->length = vec3_length(photon->direction);
+    const Material *left = photon->left_material;
+    unsound->at[left ? left->type : MATERIAL_LIGHT]++;
+}
+
+bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
+{
+    if (photon->left_material)
+        add_power(trace->path_chance, colour_scale(photon->power, -1.0f));
+    photon->path = path_after(photon);
+    if (photon->bounce >= trace->depth) {
+        add_power(trace->ledger.cut, photon->power);
+        return false;
+    }
+    if (!(fabsf(vec3_dot(photon->direction, photon->direction) - 1.0f) < 0.01f)) { // NaN is not less
+        note_unsound(&trace->unsound, photon);
+        add_power(trace->ledger.escaped, photon->power);
+        return false;
+    }
+    Ray ray = {photon->position, photon->direction, photon->from};
+    trace->segments++;
+    bool met = scene_intersect(trace->scene, &ray, hit);
+    if (trace->recorder)
+        trace->recorder->leg(trace->recorder->user, photon, met ? hit : NULL);
+    if (!met) {
+        add_power(trace->ledger.escaped, photon->power);
+        return false;
+    }
+    photon->bounce++;
+    photon->flown += hit->distance;
+    photon->from = hit->primitive;
+    photon->left_material = hit->material;
+    book_arrival(trace, photon, hit);
+    return hit->material->type != MATERIAL_LIGHT;
+}
+
+// Room for twice as many.
+static bool grow(PhotonTrace *trace)
+{
+    size_t room = trace->room ? 2 * trace->room : 1024;
+    StoredPhoton *photons = realloc(trace->photons, room * sizeof *photons);
+    if (!photons) {
+        trace->out_of_memory = true;
+        return false;
+    }
+    trace->photons = photons;
+    trace->room = room;
+    return true;
+}
+
+void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
+{
+    if (!(trace->keep & (1u << photon->path)))
+        return;
+    if (!trace->recorder && trace->count == trace->room && !grow(trace))
+        return;
+    int before = photon->bounce - 1;
+    StoredPhoton aside;
+    StoredPhoton *to = trace->recorder ? &aside : &trace->photons[trace->count++];
+    *to = (StoredPhoton){
+        .position = hit->position,
+        .power = photon->power,
+        .packed_wi = direction_pack(vec3_negate(photon->direction)),
+        .colour = (uint8_t)photon->colour,
+        .path = (uint8_t)photon->path,
+        .bounce = (uint8_t)(before < 255 ? before : 255),
+        .material = (uint8_t)(hit->material - trace->scene->materials),
+    };
+    if (trace->recorder)
+        trace->recorder->stored(trace->recorder->user, to, photon->flown);
+    else
+        trace->caustics += photon->path == PATH_CAUSTIC;
+}
+
+bool photon_scatter_glossy(Photon *photon, const Hit *hit, Rng *rng)
+{
+    const Material *material = hit->material;
+    Colour total = colour_add(material->diffuse, material->specular);
+    Colour arriving = photon->power;
+    if (!steps.russian_roulette(&photon->power, total, rng))
+        return false;
+
+    // Of the flux that survived, each part's share; the weights keep the mean right channel by channel.
+    float diffuse = colour_sum(colour_mul(arriving, material->diffuse));
+    float lobe = colour_sum(colour_mul(arriving, material->specular));
+    float lobe_share = lobe / (diffuse + lobe);
+    bool take_lobe = rng_float(rng) < lobe_share;
+    Colour part = take_lobe ? material->specular : material->diffuse;
+    float probability = take_lobe ? lobe_share : 1.0f - lobe_share;
+    for (int c = 0; c < 3; c++) {
+        float whole = colour_channel(total, c);
+        float factor = whole > 0.0f ? colour_channel(part, c) / (whole * probability) : 0.0f;
+        colour_set_channel(&photon->power, c, colour_channel(photon->power, c) * factor);
+    }
+
+    if (!take_lobe) {
+        photon->direction = steps.scatter_diffuse(hit->normal, rng);
+        return true;
+    }
+    float weight;
+    Vec3 out;
+    if (!steps.scatter_glossy(photon->direction, hit->normal, material->exponent, rng, &out, &weight))
+        return false;
+    photon->direction = out;
+    photon->power = colour_scale(photon->power, weight);
+    return true;
+}
+
+void photon_scatter_glass(Photon *photon, const Hit *hit, Rng *rng)
+{
+    float eta = glass_eta(hit, steps.refractive_index(hit->material, WHITE));
+    float reflected_share = steps.fresnel(-vec3_dot(photon->direction, hit->normal), eta);
+    Vec3 through;
+    if (rng_float(rng) >= reflected_share && steps.refract(photon->direction, hit->normal, eta, &through))
+        photon->direction = through;
+    else
+        photon->direction = steps.reflect(photon->direction, hit->normal);
+}

@@ -1,0 +1,26 @@
+// What a PhotonTrace holds; students see only its name.
+#ifndef PHOTONLAB_PHOTONS_TRACE_INTERNAL_H
+#define PHOTONLAB_PHOTONS_TRACE_INTERNAL_H
+
+#include "photons/pass/photon_pass.h"
+
+struct PhotonTrace {
+    const Scene *scene;
+    int depth;
+    unsigned keep;
+    GlossyModel glossy;
+    const PhotonRecorder *recorder;
+
+    StoredPhoton *photons; // what this chunk of paths has stored, in order
+    size_t count, room;
+    size_t caustics;                  // how many of them came by mirrors and glass only
+    size_t first_caustic, first_rest; // where they go when the chunks are joined
+    bool out_of_memory;
+
+    Ledger ledger;         // chance_error holds the sum of squares over paths until the pass ends
+    double path_chance[3]; // the present path's part of ledger.chance
+    uint64_t segments;
+    UnsoundPaths unsound;
+};
+
+#endif

@@ -1,0 +1,256 @@
+#include "preview/draw/canvas_internal.h"
+
+#include <stdlib.h>
+#include <string.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+static const char VERTEX_SHADER[] = "#version 330 core\n"
+                                    "layout(location = 0) in vec3 position;\n"
+                                    "layout(location = 1) in vec4 colour;\n"
+                                    "uniform mat4 projection;\n"
+                                    "uniform float exposure;\n"
+                                    "out vec4 shade;\n"
+                                    "void main() {\n"
+                                    "    gl_Position = projection * vec4(position, 1.0);\n"
+                                    "    shade = vec4(colour.rgb * exposure, colour.a);\n"
+                                    "}\n";
+static const char FRAGMENT_SHADER[] = "#version 330 core\n"
+                                      "in vec4 shade;\n"
+                                      "layout(location = 0) out vec4 result;\n"
+                                      "void main() { result = shade; }\n";
+
+// The four corners of the unit square, put in place.
+static const char PICTURE_VERTEX_SHADER[] = "#version 330 core\n"
+                                            "uniform vec4 place;\n"
+                                            "out vec2 at;\n"
+                                            "void main() {\n"
+                                            "    at = vec2(gl_VertexID % 2, gl_VertexID / 2);\n"
+                                            "    gl_Position = vec4(place.xy + at * place.zw, 0.0, 1.0);\n"
+                                            "}\n";
+static const char PICTURE_FRAGMENT_SHADER[] = "#version 330 core\n"
+                                              "in vec2 at;\n"
+                                              "uniform sampler2D picture;\n"
+                                              "layout(location = 0) out vec4 result;\n"
+                                              "void main() { result = texture(picture, at); }\n";
+
+static bool make_programs(Canvas *canvas, Error *error)
+{
+    const Gl *gl = &canvas->gl;
+    canvas->program = gl_program(gl, VERTEX_SHADER, FRAGMENT_SHADER, error);
+    canvas->picture_program = gl_program(gl, PICTURE_VERTEX_SHADER, PICTURE_FRAGMENT_SHADER, error);
+    if (!canvas->program || !canvas->picture_program)
+        return false;
+    canvas->projection = gl->GetUniformLocation(canvas->program, "projection");
+    canvas->exposure = gl->GetUniformLocation(canvas->program, "exposure");
+    canvas->place = gl->GetUniformLocation(canvas->picture_program, "place");
+    return true;
+}
+
+static void make_texture(Canvas *canvas)
+{
+    const Gl *gl = &canvas->gl;
+    gl->GenVertexArrays(1, &canvas->no_array);
+    gl->GenTextures(1, &canvas->texture);
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D, canvas->texture);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+// Software OpenGL takes and frees tens of megabytes with every frame. Handed back to the system, they would come again
+// page by page, zeroed: a quarter of the time of a frame.
+static void keep_freed_memory(void)
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_TRIM_THRESHOLD, 256 << 20);
+    mallopt(M_TOP_PAD, 16 << 20);
+#endif
+}
+
+Canvas *canvas_create(GlLoader loader, int width, int height, Error *error)
+{
+    Canvas *canvas = calloc(1, sizeof *canvas);
+    if (!canvas) {
+        error_set(error, "not enough memory");
+        return NULL;
+    }
+    if (!gl_load(&canvas->gl, loader, error)) {
+        free(canvas); // nothing was made, and nothing could be deleted
+        return NULL;
+    }
+    keep_freed_memory();
+    const Gl *gl = &canvas->gl;
+    gl->GenFramebuffers(1, &canvas->framebuffer);
+    gl->GenRenderbuffers(1, &canvas->colour);
+    gl->GenRenderbuffers(1, &canvas->depth);
+    make_texture(canvas);
+    canvas->stream = batch_create(canvas);
+    if (!canvas->stream)
+        error_set(error, "not enough memory");
+    if (!canvas->stream || !make_programs(canvas, error) || !canvas_resize(canvas, width, height, error)) {
+        canvas_free(canvas);
+        return NULL;
+    }
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl->DepthFunc(GL_LEQUAL);
+    gl->Disable(GL_DITHER);
+    gl->Disable(GL_MULTISAMPLE);
+    gl->Enable(GL_BLEND);
+    canvas_begin(canvas);
+    return canvas;
+}
+
+void canvas_free(Canvas *canvas)
+{
+    if (!canvas)
+        return;
+    const Gl *gl = &canvas->gl;
+    if (canvas->stream)
+        batch_free(canvas, canvas->stream);
+    gl->DeleteFramebuffers(1, &canvas->framebuffer);
+    gl->DeleteRenderbuffers(1, &canvas->colour);
+    gl->DeleteRenderbuffers(1, &canvas->depth);
+    gl->DeleteTextures(1, &canvas->texture);
+    gl->DeleteVertexArrays(1, &canvas->no_array);
+    gl->DeleteProgram(canvas->program);
+    gl->DeleteProgram(canvas->picture_program);
+    free(canvas->text);
+    free(canvas);
+}
+
+static void size_renderbuffer(const Gl *gl, unsigned buffer, unsigned format, unsigned attachment, int width,
+                              int height)
+{
+    gl->BindRenderbuffer(GL_RENDERBUFFER, buffer);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+}
+
+// True when OpenGL has such a framebuffer and the memory for it.
+static bool size_framebuffer(Canvas *canvas, int width, int height)
+{
+    const Gl *gl = &canvas->gl;
+    while (gl->GetError()) // of earlier days
+        ;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
+    size_renderbuffer(gl, canvas->colour, GL_RGBA8, GL_COLOR_ATTACHMENT0, width, height);
+    size_renderbuffer(gl, canvas->depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, width, height);
+    return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && gl->GetError() == 0;
+}
+
+bool canvas_resize(Canvas *canvas, int width, int height, Error *error)
+{
+    if (width == canvas->width && height == canvas->height)
+        return true;
+    int most = 0;
+    canvas->gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+    if (width < 1 || height < 1 || width > most || height > most)
+        return error_set(error, "a picture of %d x %d pixels: this OpenGL draws 1 to %d each way", width, height, most);
+    if (!size_framebuffer(canvas, width, height)) {
+        if (canvas->width)
+            size_framebuffer(canvas, canvas->width, canvas->height);
+        return error_set(error, "OpenGL has no memory for a picture of %d x %d pixels", width, height);
+    }
+    canvas->width = width;
+    canvas->height = height;
+    canvas->view = canvas_flat_view(canvas);
+    return true;
+}
+
+void canvas_background(Canvas *canvas, uint8_t red, uint8_t green, uint8_t blue)
+{
+    canvas->background[0] = (float)red / 255.0f;
+    canvas->background[1] = (float)green / 255.0f;
+    canvas->background[2] = (float)blue / 255.0f;
+}
+
+void canvas_begin(Canvas *canvas)
+{
+    const Gl *gl = &canvas->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
+    gl->Disable(GL_SCISSOR_TEST);
+    gl->DepthMask(1);
+    gl->ClearColor(canvas->background[0], canvas->background[1], canvas->background[2], 1.0f);
+    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->UseProgram(canvas->program);
+    canvas->view = canvas_flat_view(canvas);
+    canvas_use_view(canvas, &canvas->view);
+}
+
+CanvasView canvas_flat_view(const Canvas *canvas)
+{
+    CanvasView view = {0, 0, canvas->width, canvas->height, {0}};
+    view.projection[0] = 2.0f / (float)canvas->width;
+    view.projection[5] = -2.0f / (float)canvas->height;
+    view.projection[12] = -1.0f;
+    view.projection[13] = view.projection[15] = 1.0f;
+    return view;
+}
+
+void canvas_use_view(Canvas *canvas, const CanvasView *view)
+{
+    const Gl *gl = &canvas->gl;
+    gl->Viewport(view->x, view->y, view->width, view->height);
+    gl->Scissor(view->x, view->y, view->width, view->height);
+    gl->UniformMatrix4fv(canvas->projection, 1, 0, view->projection);
+}
+
+void canvas_view(Canvas *canvas, int left, int top, int width, int height, const float projection[16])
+{
+    width = width > 0 ? width : 0;
+    height = height > 0 ? height : 0;
+    canvas->view = (CanvasView){left, canvas->height - top - height, width, height, {0}};
+    memcpy(canvas->view.projection, projection, sizeof canvas->view.projection);
+    canvas_use_view(canvas, &canvas->view);
+}
+
+void canvas_finish(Canvas *canvas)
+{
+    canvas->gl.Finish();
+}
+
+void canvas_read(Canvas *canvas, uint8_t *rgba)
+{
+    const Gl *gl = &canvas->gl;
+    gl->Finish(); // OSMesa reads what is there, not what will be
+    gl->BindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
+    size_t row = (size_t)canvas->width * 4;
+    // OpenGL's rows begin at the bottom.
+    for (int y = 0; y < canvas->height; y++)
+        gl->ReadPixels(0, canvas->height - 1 - y, canvas->width, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba + (size_t)y * row);
+}
+
+void canvas_present(Canvas *canvas, int window_width, int window_height)
+{
+    const Gl *gl = &canvas->gl;
+    gl->Disable(GL_SCISSOR_TEST); // which cuts blits, too
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, canvas->framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl->BlitFramebuffer(0, 0, canvas->width, canvas->height, 0, 0, window_width, window_height, GL_COLOR_BUFFER_BIT,
+                        GL_NEAREST);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
+    gl->Enable(GL_SCISSOR_TEST);
+}
+
+int canvas_width(const Canvas *canvas)
+{
+    return canvas->width;
+}
+
+int canvas_height(const Canvas *canvas)
+{
+    return canvas->height;
+}
+
+const char *canvas_renderer(const Canvas *canvas)
+{
+    const unsigned char *name = canvas->gl.GetString(GL_RENDERER);
+    return name ? (const char *)name : "unknown";
+}

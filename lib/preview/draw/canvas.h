@@ -1,0 +1,74 @@
+// Drawing: points, lines, triangles and text into a picture in the graphics memory. The same calls in a window and
+// without a display, and the same bytes from OSMesa, EGL and GLFW under software OpenGL: everything goes into a
+// framebuffer object of our own, RGBA8 with a 24-bit depth buffer.
+#ifndef PHOTONLAB_PREVIEW_CANVAS_H
+#define PHOTONLAB_PREVIEW_CANVAS_H
+
+#include "base/error.h"
+#include "preview/draw/orbit.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct {
+    float x, y, z;
+    uint8_t r, g, b, a;
+} Vertex; // 16 bytes, as the graphics card reads them
+
+typedef struct Canvas Canvas;
+
+// A function of the present GL context, NULL when it has none of this name.
+typedef void *(*GlLoader)(const char *name);
+
+// Needs a present context of GL 3.3 or later (core). False names what is missing.
+Canvas *canvas_create(GlLoader loader, int width, int height, Error *error);
+void canvas_free(Canvas *canvas);
+bool canvas_resize(Canvas *canvas, int width, int height, Error *error);
+
+void canvas_background(Canvas *canvas, uint8_t red, uint8_t green, uint8_t blue); // black at first
+void canvas_begin(Canvas *canvas);                                                // clears all
+// What follows is drawn inside this rectangle (pixels, from the top left), seen by this camera.
+void canvas_view(Canvas *canvas, int left, int top, int width, int height, const float projection[16]);
+
+typedef enum { DRAW_POINTS, DRAW_LINES, DRAW_TRIANGLES } DrawKind;
+typedef struct {
+    DrawKind kind;
+    bool additive;    // adds colour·alpha to what is there and writes no depth; otherwise covers (alpha blends)
+    bool no_depth;    // in front of everything
+    float exposure;   // factor on colours; 0 counts as 1
+    float point_size; // pixels; 0 counts as 1
+} DrawStyle;
+
+// Vertices that stay in graphics memory from frame to frame.
+typedef struct Batch Batch;
+Batch *batch_create(Canvas *canvas);
+void batch_free(Canvas *canvas, Batch *batch);
+void batch_upload(Canvas *canvas, Batch *batch, const Vertex *vertices, size_t count);
+size_t batch_count(const Batch *batch);
+// Vertices first … first+count−1, as many as there are.
+void batch_draw(Canvas *canvas, const Batch *batch, size_t first, size_t count, const DrawStyle *style);
+// For what changes with every frame.
+void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const DrawStyle *style);
+
+// Printable ASCII (of others a few are written out, the rest show as `?`), line by line from the top left in pixels; scale 1: letters about 7 pixels high,
+// lines 12 pixels apart. Within the whole canvas, whatever canvas_view says.
+void canvas_text(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text);
+float canvas_text_width(float scale, const char *text);
+void canvas_rectangle(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba);
+// A picture of RGBA bytes, row 0 at the top, stretched over the rectangle.
+void canvas_picture(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba, int columns,
+                    int rows);
+
+// Waits until all is drawn; RGBA rows from the top, width·height·4 bytes.
+void canvas_read(Canvas *canvas, uint8_t *rgba);
+// Waits until all is drawn.
+void canvas_finish(Canvas *canvas);
+// Copies the picture to the window's own framebuffer of this size.
+void canvas_present(Canvas *canvas, int window_width, int window_height);
+int canvas_width(const Canvas *canvas);
+int canvas_height(const Canvas *canvas);
+// "llvmpipe (LLVM 15.0.6, 256 bits)": who draws.
+const char *canvas_renderer(const Canvas *canvas);
+
+#endif

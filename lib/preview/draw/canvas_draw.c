@@ -1,0 +1,125 @@
+// Batches of vertices, and what is drawn flat over the picture.
+#include "preview/draw/canvas_internal.h"
+
+#include <stdlib.h>
+
+Batch *batch_create(Canvas *canvas)
+{
+    const Gl *gl = &canvas->gl;
+    Batch *batch = calloc(1, sizeof *batch);
+    if (!batch)
+        return NULL;
+    gl->GenVertexArrays(1, &batch->array);
+    gl->GenBuffers(1, &batch->buffer);
+    gl->BindVertexArray(batch->array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, batch->buffer);
+    gl->EnableVertexAttribArray(0);
+    gl->EnableVertexAttribArray(1);
+    gl->VertexAttribPointer(0, 3, GL_FLOAT, 0, sizeof(Vertex), NULL);
+    gl->VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, 1, sizeof(Vertex), (const void *)offsetof(Vertex, r));
+    return batch;
+}
+
+void batch_free(Canvas *canvas, Batch *batch)
+{
+    if (!batch)
+        return;
+    canvas->gl.DeleteVertexArrays(1, &batch->array);
+    canvas->gl.DeleteBuffers(1, &batch->buffer);
+    free(batch);
+}
+
+void batch_put(Canvas *canvas, Batch *batch, const Vertex *vertices, size_t count, unsigned usage)
+{
+    canvas->gl.BindBuffer(GL_ARRAY_BUFFER, batch->buffer);
+    canvas->gl.BufferData(GL_ARRAY_BUFFER, (ptrdiff_t)(count * sizeof *vertices), vertices, usage);
+    batch->count = count;
+}
+
+void batch_upload(Canvas *canvas, Batch *batch, const Vertex *vertices, size_t count)
+{
+    batch_put(canvas, batch, vertices, count, GL_STATIC_DRAW);
+}
+
+size_t batch_count(const Batch *batch)
+{
+    return batch->count;
+}
+
+static void set_style(Canvas *canvas, const DrawStyle *style)
+{
+    const Gl *gl = &canvas->gl;
+    (style->no_depth ? gl->Disable : gl->Enable)(GL_DEPTH_TEST);
+    gl->DepthMask(!style->additive && !style->no_depth);
+    // The picture itself stays opaque: alpha is kept at 1.
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, style->additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    gl->Uniform1f(canvas->exposure, style->exposure != 0 ? style->exposure : 1.0f);
+    if (style->kind == DRAW_POINTS)
+        gl->PointSize(style->point_size != 0 ? style->point_size : 1.0f);
+}
+
+void batch_draw(Canvas *canvas, const Batch *batch, size_t first, size_t count, const DrawStyle *style)
+{
+    static const unsigned KINDS[] = {
+        [DRAW_POINTS] = GL_POINTS, [DRAW_LINES] = GL_LINES, [DRAW_TRIANGLES] = GL_TRIANGLES};
+    if (first >= batch->count || count == 0)
+        return;
+    if (count > batch->count - first)
+        count = batch->count - first;
+    set_style(canvas, style);
+    canvas->gl.BindVertexArray(batch->array);
+    canvas->gl.DrawArrays(KINDS[style->kind], (int)first, (int)count);
+}
+
+void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const DrawStyle *style)
+{
+    if (count == 0)
+        return;
+    batch_put(canvas, canvas->stream, vertices, count, GL_STREAM_DRAW);
+    batch_draw(canvas, canvas->stream, 0, count, style);
+}
+
+// Triangles in pixels, over all that was drawn.
+static void draw_flat(Canvas *canvas, const Vertex *vertices, size_t count)
+{
+    CanvasView flat = canvas_flat_view(canvas);
+    canvas_use_view(canvas, &flat);
+    canvas_draw(canvas, vertices, count, &(DrawStyle){.kind = DRAW_TRIANGLES, .no_depth = true});
+    canvas_use_view(canvas, &canvas->view);
+}
+
+void canvas_text(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text)
+{
+    size_t count;
+    const Vertex *vertices = text_vertices(canvas, x, y, scale, rgba, text, &count);
+    if (count)
+        draw_flat(canvas, vertices, count);
+}
+
+void canvas_rectangle(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba)
+{
+    static const int CORNERS[6] = {0, 1, 3, 0, 3, 2}; // bit 0: right, bit 1: bottom
+    Vertex vertices[6];
+    for (int i = 0; i < 6; i++)
+        vertices[i] = (Vertex){
+            x + (CORNERS[i] & 1 ? width : 0), y + (CORNERS[i] & 2 ? height : 0), 0, rgba[0], rgba[1], rgba[2], rgba[3]};
+    draw_flat(canvas, vertices, 6);
+}
+
+void canvas_picture(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba, int columns,
+                    int rows)
+{
+    const Gl *gl = &canvas->gl;
+    CanvasView flat = canvas_flat_view(canvas);
+    canvas_use_view(canvas, &flat);
+    set_style(canvas, &(DrawStyle){.kind = DRAW_TRIANGLES, .no_depth = true});
+    gl->BindTexture(GL_TEXTURE_2D, canvas->texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, columns, rows, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    gl->UseProgram(canvas->picture_program);
+    float across = 2.0f / (float)canvas->width, down = -2.0f / (float)canvas->height;
+    gl->Uniform4f(canvas->place, x * across - 1.0f, y * down + 1.0f, width * across, height * down);
+    gl->BindVertexArray(canvas->no_array);
+    gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl->UseProgram(canvas->program);
+    canvas_use_view(canvas, &canvas->view);
+}

@@ -1,0 +1,125 @@
+// EGL without a display: Mesa's surfaceless platform, or else whatever display EGL has by default.
+#include "preview/draw/context_internal.h"
+#include "preview/draw/library.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+// The library's, once it is loaded.
+static struct {
+    void *(*get_display)(void *native);
+    void *(*get_platform_display)(unsigned platform, void *native, const void *attributes);
+    unsigned (*initialize)(void *display, int *major, int *minor);
+    unsigned (*terminate)(void *display);
+    unsigned (*bind_api)(unsigned api);
+    unsigned (*choose_config)(void *display, const int *attributes, void **configs, int size, int *count);
+    void *(*create_context)(void *display, void *config, void *sharing, const int *attributes);
+    unsigned (*destroy_context)(void *display, void *context);
+    void *(*create_pbuffer_surface)(void *display, void *config, const int *attributes);
+    unsigned (*make_current)(void *display, void *draw, void *read, void *context);
+    int (*get_error)(void);
+    void *(*address)(const char *name);
+} egl;
+
+enum {
+    EGL_NONE = 0x3038,
+    EGL_SURFACE_TYPE = 0x3033,
+    EGL_PBUFFER_BIT = 1,
+    EGL_RENDERABLE_TYPE = 0x3040,
+    EGL_OPENGL_BIT = 8,
+    EGL_HEIGHT = 0x3056,
+    EGL_WIDTH = 0x3057,
+    EGL_CONTEXT_MAJOR_VERSION = 0x3098,
+    EGL_OPENGL_API = 0x30A2,
+    EGL_CONTEXT_MINOR_VERSION = 0x30FB,
+    EGL_CONTEXT_OPENGL_PROFILE_MASK = 0x30FD,
+    EGL_CORE_PROFILE_BIT = 1,
+    EGL_PLATFORM_SURFACELESS_MESA = 0x31DD
+};
+
+static bool load(Error *error)
+{
+    static const char *const FILES[] = {"libEGL.so.1", "libEGL.so", NULL};
+    void *library = library_open("egl", FILES);
+    if (!library)
+        return error_set(error, "there is no libEGL");
+    bool ok = library_function(library, "eglGetDisplay", &egl.get_display) &&
+              library_function(library, "eglInitialize", &egl.initialize) &&
+              library_function(library, "eglTerminate", &egl.terminate) &&
+              library_function(library, "eglBindAPI", &egl.bind_api) &&
+              library_function(library, "eglChooseConfig", &egl.choose_config) &&
+              library_function(library, "eglCreateContext", &egl.create_context) &&
+              library_function(library, "eglDestroyContext", &egl.destroy_context) &&
+              library_function(library, "eglCreatePbufferSurface", &egl.create_pbuffer_surface) &&
+              library_function(library, "eglMakeCurrent", &egl.make_current) &&
+              library_function(library, "eglGetError", &egl.get_error) &&
+              library_function(library, "eglGetProcAddress", &egl.address);
+    if (!ok)
+        return error_set(error, "libEGL is too old");
+    void *address = egl.address("eglGetPlatformDisplayEXT");
+    library_address_to_function(address ? address : egl.address("eglGetPlatformDisplay"), &egl.get_platform_display);
+    return true;
+}
+
+static void *address_of(const char *name)
+{
+    return egl.address(name);
+}
+
+// With no configuration first: the canvas needs none. Where the driver insists, one that can have a small surface.
+static bool make_present(Context *context)
+{
+    static const int VERSION[] = {
+        EGL_CONTEXT_MAJOR_VERSION, 3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CORE_PROFILE_BIT,      EGL_NONE};
+    static const int WISH[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    static const int SIZE[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
+    void *display = context->display, *config = NULL;
+    for (int attempt = 0; attempt < 2; attempt++) {
+        int count = 0;
+        if (attempt == 1 && (!egl.choose_config(display, WISH, &config, 1, &count) || count < 1))
+            return false;
+        void *surface = attempt == 1 ? egl.create_pbuffer_surface(display, config, SIZE) : NULL;
+        context->handle = egl.create_context(display, config, NULL, VERSION);
+        if (context->handle && egl.make_current(display, surface, surface, context->handle))
+            return true;
+        if (context->handle)
+            egl.destroy_context(display, context->handle);
+    }
+    return false;
+}
+
+// Tries one display.
+static bool try_display(Context *context, void *display)
+{
+    int major, minor;
+    context->display = display;
+    if (!display || !egl.initialize(display, &major, &minor))
+        return false;
+    if (egl.bind_api(EGL_OPENGL_API) && make_present(context))
+        return true;
+    egl.terminate(display);
+    return false;
+}
+
+// The display stays: ending it unloads the driver, whose threads and exit handlers may not be done.
+static void end(Context *context)
+{
+    egl.make_current(context->display, NULL, NULL, NULL);
+    egl.destroy_context(context->display, context->handle);
+}
+
+bool context_start_egl(Context *context, Error *error)
+{
+    if (!load(error))
+        return false;
+    context->name = "EGL";
+    context->loader = address_of;
+    context->end = end;
+    if (egl.get_platform_display &&
+        try_display(context, egl.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL)))
+        return true;
+    if (try_display(context, egl.get_display(NULL)))
+        return true;
+    return error_set(error, "libEGL finds no driver with OpenGL 3.3 (error 0x%x)", (unsigned)egl.get_error());
+}

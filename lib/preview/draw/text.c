@@ -1,0 +1,133 @@
+// Letters made of small rectangles, by stb_easy_font: no font file, no texture. Where it was missing when the program
+// was built, the preview has no words.
+#include "preview/draw/canvas_internal.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#pragma GCC diagnostic ignored "-Wchar-subscripts"
+#endif
+#if defined(__has_include)
+#if __has_include(<stb/stb_easy_font.h>)
+#include <stb/stb_easy_font.h>
+#define HAVE_FONT 1
+#elif __has_include(<stb_easy_font.h>)
+#include <stb_easy_font.h>
+#define HAVE_FONT 1
+#endif
+#endif
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+#ifdef HAVE_FONT
+
+#define QUADS_PER_LETTER 16 // at most: @ has 14
+
+// What our own sentences hold beside ASCII; no longer than the UTF-8 it stands for.
+static const char *ascii_for(const char *text)
+{
+    static const char *const pairs[][2] = {{"±", "+-"}, {"×", "x"}, {"…", ".."}, {"°", "o"}, {"·", "|"}, {"−", "-"}};
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+        if (strncmp(text, pairs[i][0], strlen(pairs[i][0])) == 0)
+            return pairs[i][1];
+    return "?";
+}
+
+// The text as the font can show it, in memory of its own: it knows 32…126 and the line's end, and reads past its table
+// for anything else. Another letter of several bytes (UTF-8) becomes one `?`.
+static char *printable(const char *text)
+{
+    char *copy = malloc(strlen(text) + 1), *end = copy;
+    if (!copy)
+        return NULL;
+    for (; *text; text++) {
+        unsigned char c = (unsigned char)*text;
+        if ((c & 0xC0) == 0x80)
+            continue;
+        if (c == '\n' || (c >= 32 && c < 127)) {
+            *end++ = (char)c;
+            continue;
+        }
+        for (const char *letter = c < 128 ? "?" : ascii_for(text); *letter; letter++)
+            *end++ = *letter;
+    }
+    *end = '\0';
+    return copy;
+}
+
+// Grows the canvas' room for vertices.
+static Vertex *make_room(Canvas *canvas, size_t count)
+{
+    if (count > canvas->text_room) {
+        Vertex *larger = realloc(canvas->text, count * sizeof *larger);
+        if (!larger)
+            return NULL;
+        canvas->text = larger;
+        canvas->text_room = count;
+    }
+    return canvas->text;
+}
+
+// Puts the quad of four corners there as two triangles.
+static void put_quad(Vertex *triangles, const Vertex quad[4], float x, float y, float scale)
+{
+    static const int ORDER[6] = {0, 1, 2, 0, 2, 3};
+    for (int i = 0; i < 6; i++) {
+        triangles[i] = quad[ORDER[i]];
+        triangles[i].x = x + scale * triangles[i].x;
+        triangles[i].y = y + scale * triangles[i].y;
+    }
+}
+
+const Vertex *text_vertices(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text,
+                            size_t *count)
+{
+    *count = 0;
+    char *letters = printable(text);
+    size_t room = letters ? strlen(letters) * QUADS_PER_LETTER : 0;
+    Vertex *quads = malloc((room * 4 + 1) * sizeof *quads);
+    Vertex *triangles = make_room(canvas, room * 6 + 1);
+    if (letters && quads && triangles) {
+        unsigned char colour[4] = {rgba[0], rgba[1], rgba[2], rgba[3]};
+        int made = stb_easy_font_print(0, 0, letters, colour, quads, (int)(room * 4 * sizeof *quads));
+        // Whole pixels: a stroke between two would be there or not by chance.
+        x = (float)(int)(x + 0.5f);
+        y = (float)(int)(y + 0.5f);
+        for (int i = 0; i < made; i++)
+            put_quad(triangles + 6 * i, quads + 4 * i, x, y, scale);
+        *count = 6 * (size_t)made;
+    }
+    free(quads);
+    free(letters);
+    return triangles;
+}
+
+float canvas_text_width(float scale, const char *text)
+{
+    char *letters = printable(text);
+    float width = letters ? scale * (float)stb_easy_font_width(letters) : 0;
+    free(letters);
+    return width;
+}
+
+#else
+
+const Vertex *text_vertices(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text,
+                            size_t *count)
+{
+    (void)canvas, (void)x, (void)y, (void)scale, (void)rgba, (void)text;
+    *count = 0;
+    return NULL;
+}
+
+float canvas_text_width(float scale, const char *text)
+{
+    return 6.0f * scale * (float)strlen(text); // so that lines are cut where they would be
+}
+
+#endif

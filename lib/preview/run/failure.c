@@ -1,0 +1,245 @@
+// Why a worker failed, in one sentence for the student.
+#define _GNU_SOURCE
+#include "preview/run/broker.h"
+
+#include <ctype.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+typedef struct {
+    char file[256]; // "1.3_scatter_diffuse.c"; "" when no place in the student's code is known
+    char function[128];
+    int line; // 0: unknown
+} Spot;
+
+// "…/1.3_scatter_diffuse.so" becomes "1.3_scatter_diffuse.c".
+static void source_of(const char *object, char *file, size_t size)
+{
+    const char *slash = strrchr(object, '/');
+    const char *name = slash ? slash + 1 : object;
+    size_t length = strlen(name);
+    length -= length > 3 && strcmp(name + length - 3, ".so") == 0 ? 3 : 0;
+    snprintf(file, size, "%.*s.c", (int)(length < 200 ? length : 200), name);
+}
+
+int failure_look_up(const Failure *failure, pid_t *looker)
+{
+    int ends[2];
+    if (!failure->has_crash || !failure->crash.object[0] || pipe(ends) != 0)
+        return -1;
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    char offset[32];
+    snprintf(offset, sizeof offset, "0x%llx", failure->crash.offset);
+    char *const arguments[] = {"addr2line", "-f", "-i", "-e", (char *)failure->crash.object, offset, NULL};
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    int failed = posix_spawnp(looker, "addr2line", &actions, NULL, arguments, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[1]);
+    if (!failed)
+        return ends[0];
+    close(ends[0]);
+    return -1;
+}
+
+// addr2line's answer: two lines a place, the function and FILE:LINE; what was inlined comes first.
+static void read_answer(const char *text, Spot *spot)
+{
+    while (*text) {
+        size_t name = strcspn(text, ".\n"), first = strcspn(text, "\n");
+        const char *second = text + first + (text[first] == '\n');
+        const char *end = second + strcspn(second, "\n"), *colon = end;
+        while (colon > second && *colon != ':')
+            colon--;
+        const char *slash = colon;
+        while (slash > second && slash[-1] != '/')
+            slash--;
+        bool theirs = (size_t)(colon - slash) == strlen(spot->file) &&
+                      strncmp(slash, spot->file, strlen(spot->file)) == 0 && text[0] != '?';
+        if (theirs) { // not a header of the library, built into the step
+            spot->line = atoi(colon + 1);
+            snprintf(spot->function, sizeof spot->function, "%.*s", (int)(name < 100 ? name : 100), text);
+            return;
+        }
+        text = end + (*end == '\n');
+    }
+}
+
+static void put_spot(const Spot *spot, const char *what, char *text, size_t size)
+{
+    char line[32] = "";
+    if (spot->line > 0)
+        snprintf(line, sizeof line, ":%d", spot->line);
+    if (!spot->file[0])
+        snprintf(text, size, "%s", what);
+    else if (spot->function[0])
+        snprintf(text, size, "%s%s: %s: %s", spot->file, line, spot->function, what);
+    else
+        snprintf(text, size, "%s%s: %s", spot->file, line, what);
+}
+
+static const char *unit_of_work(RunKind kind)
+{
+    return kind == RUN_SCATTER ? "photon" : kind == RUN_LOBE ? "direction" : "part of the picture";
+}
+
+// Filling much memory takes time: patience may end before the memory does. A picture has photons of its own.
+static bool is_out_of_memory(const Failure *failure)
+{
+    const WireCrash *crash = &failure->crash;
+    unsigned long long most = (unsigned long long)WORKER_MEMORY_GB << 20;
+    bool growing = failure->stuck && failure->kind != RUN_RENDER && crash->grown_kb > most / 4;
+    return crash->refused || growing || (failure->kind != RUN_RENDER && crash->grown_kb > most / 8 * 7);
+}
+
+static void describe_crash(const Failure *failure, char *what, size_t size)
+{
+    const WireCrash *crash = &failure->crash;
+    if (crash->signal == 0)
+        snprintf(what, size, "called exit, which ends the whole program");
+    else if (crash->stack_far && crash->calls_itself)
+        snprintf(what, size, "the stack overflowed: it calls itself without end");
+    else if (crash->stack_far)
+        snprintf(what, size, "the stack overflowed: a very large array, or calls without end?");
+    else if (is_out_of_memory(failure) && failure->stuck && !crash->refused)
+        snprintf(what, size, "asked for ever more memory: %.1f GB when it was stopped",
+                 (double)crash->grown_kb / (1024.0 * 1024.0));
+    else if (is_out_of_memory(failure))
+        snprintf(what, size, "asked for more than %d GB of memory", WORKER_MEMORY_GB);
+    else if (failure->stuck)
+        snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", failure->patience,
+                 unit_of_work(failure->kind));
+    else if (crash->signal == SIGSEGV || crash->signal == SIGBUS)
+        snprintf(what, size, "segmentation fault: an address that is not yours%s",
+                 crash->address < 4096 ? " (a null pointer, or an index far beyond an array?)"
+                                       : " (beyond the end of an array?)");
+    else if (crash->signal == SIGFPE)
+        snprintf(what, size, "an integer was divided by 0");
+    else if (crash->signal == SIGABRT)
+        snprintf(what, size, "abort() was called (an assertion, or memory freed twice? The terminal may tell)");
+    else
+        snprintf(what, size, "it came to a place that right code never reaches (signal %d)", crash->signal);
+}
+
+static void describe_end(const Failure *failure, char *text, size_t size)
+{
+    int status = failure->status;
+    if (failure->stuck)
+        snprintf(text, size, "ran for %.3g s without finishing a %s; an endless loop?", failure->patience,
+                 unit_of_work(failure->kind));
+    else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+        snprintf(text, size,
+                 "the run was ended from outside (signal 9): by hand, or by the system for want of memory?");
+    else if (WIFSIGNALED(status))
+        snprintf(text, size, "the run was ended by signal %d (%s)", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    else if (WEXITSTATUS(status) == 127)
+        snprintf(text, size, "no process could be started: too many, or no memory left");
+    else
+        snprintf(text, size, "a step ended the program (exit code %d) before the run was done", WEXITSTATUS(status));
+}
+
+// The last line of the file that has this word: what is used is declared before.
+static int find_line(const char *folder, const StepInfo *step, const char *word)
+{
+    char path[4608], line[4096];
+    snprintf(path, sizeof path, "%s/%s.c", folder, step->file);
+    FILE *file = fopen(path, "r");
+    int number = 0, found = 0;
+    size_t length = strlen(word);
+    while (file && fgets(line, sizeof line, file)) {
+        number++;
+        for (const char *at = line; (at = strstr(at, word)); at++) {
+            char before = at > line ? at[-1] : ' ', after = at[length];
+            if (!isalnum((unsigned char)before) && !isalnum((unsigned char)after) && before != '_' && after != '_')
+                found = number;
+        }
+    }
+    if (file)
+        fclose(file);
+    return found;
+}
+
+static void describe_missing(const Failure *failure, const StepInfo *step, const char *symbol, char *text, size_t size)
+{
+    Spot spot = {"", "", 0};
+    char name[128], what[256];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(symbol, " \n'(,;"), symbol);
+    source_of(step->file, spot.file, sizeof spot.file);
+    snprintf(spot.function, sizeof spot.function, "%s", step->symbol);
+    spot.line = find_line(failure->code_source, step, name);
+    snprintf(what, sizeof what, "calls `%s`, and there is no such function", name);
+    put_spot(&spot, what, text, size);
+}
+
+static const StepInfo *step_of_words(const char *words)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        size_t length = strlen(step_table[i].id);
+        if (strncmp(words, "step ", 5) == 0 && strncmp(words + 5, step_table[i].id, length) == 0 &&
+            words[5 + length] == ':')
+            return &step_table[i];
+    }
+    return NULL;
+}
+
+// What steps_load says of objects, said of sources, which is what students know.
+static void describe_words(const Failure *failure, char *text, size_t size)
+{
+    const char *words = failure->words;
+    const StepInfo *step = step_of_words(words);
+    const char *missing = strstr(words, "undefined symbol: "), *no_name = strstr(words, ": no step has this name");
+    char file[256];
+    if (step && missing) {
+        describe_missing(failure, step, missing + strlen("undefined symbol: "), text, size);
+    } else if (step && strstr(words, " has no function `")) {
+        source_of(step->file, file, sizeof file);
+        snprintf(text, size, "%s: there is no function `%s` in it; see the prototype in lib/steps/", file,
+                 step->symbol);
+    } else if (no_name) {
+        char object[1024];
+        snprintf(object, sizeof object, "%.*s", (int)(no_name - words), words);
+        source_of(object, file, sizeof file);
+        snprintf(text, size, "%s%s", file, no_name);
+    } else {
+        snprintf(text, size, "%s", words);
+    }
+}
+
+void failure_describe(const Failure *failure, const char *found, char *text, size_t size)
+{
+    if (failure->words) {
+        describe_words(failure, text, size);
+        return;
+    }
+    if (!failure->has_crash) {
+        describe_end(failure, text, size);
+        return;
+    }
+    Spot spot = {"", "", 0};
+    char what[256];
+    if (failure->crash.object[0]) {
+        source_of(failure->crash.object, spot.file, sizeof spot.file);
+        snprintf(spot.function, sizeof spot.function, "%s", failure->crash.symbol);
+        read_answer(found, &spot);
+    }
+    describe_crash(failure, what, sizeof what);
+    put_spot(&spot, what, text, size);
+    if (!spot.file[0])
+        snprintf(text, size,
+                 "%s, while none of your steps ran: did one write where it must not, or make photons "
+                 "without end?",
+                 what);
+}

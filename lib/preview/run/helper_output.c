@@ -1,0 +1,96 @@
+#include "preview/run/helper_output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+void output_open(HelperOutput *output)
+{
+    int ends[2];
+    *output = (HelperOutput){.read = -1, .write = -1};
+    if (pipe(ends) != 0)
+        return;
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    output->read = ends[0];
+    output->write = ends[1];
+}
+
+void output_join(const HelperOutput *output)
+{
+    if (output->write < 0)
+        return;
+    dup2(output->write, STDOUT_FILENO);
+    dup2(output->write, STDERR_FILENO);
+    close(output->read);
+    close(output->write);
+}
+
+static void print(const char *text, size_t size)
+{
+    while (size > 0) {
+        ssize_t written = write(STDOUT_FILENO, text, size);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return; // nobody reads
+        text += written;
+        size -= (size_t)written;
+    }
+}
+
+// How many of these bytes belong to the first lines.
+static size_t first_lines(HelperOutput *output, const char *bytes, size_t size)
+{
+    size_t taken = 0;
+    while (taken < size && output->lines < OUTPUT_LINES && output->bytes + taken < OUTPUT_BYTES)
+        output->lines += bytes[taken++] == '\n';
+    output->bytes += taken;
+    return taken;
+}
+
+static void sort(HelperOutput *output, const char *bytes, size_t size)
+{
+    size_t shown = first_lines(output, bytes, size);
+    print(bytes, shown);
+    if (shown > 0)
+        output->in_line = bytes[shown - 1] != '\n';
+    output->more_bytes += size - shown;
+    for (size_t i = shown; i < size; i++)
+        output->more_lines += bytes[i] == '\n';
+}
+
+void output_pass_on(HelperOutput *output)
+{
+    char bytes[1 << 16];
+    for (ssize_t got; output->read >= 0 && (got = read(output->read, bytes, sizeof bytes)) != 0;) {
+        if (got > 0)
+            sort(output, bytes, (size_t)got);
+        else if (errno != EINTR)
+            return; // nothing more at present
+    }
+}
+
+static void tell_rest(HelperOutput *output)
+{
+    char text[160] = "";
+    if (output->more_bytes > 0)
+        snprintf(text, sizeof text,
+                 "%s… and %ld more lines that your code printed; `make render CODE=exercises` shows all\n",
+                 output->in_line ? "\n" : "", output->more_lines);
+    else if (output->in_line)
+        snprintf(text, sizeof text, "\n");
+    print(text, strlen(text));
+}
+
+void output_end(HelperOutput *output)
+{
+    output_pass_on(output);
+    tell_rest(output);
+    output->lines = output->more_lines = 0;
+    output->bytes = output->more_bytes = 0;
+    output->in_line = false;
+}

@@ -1,0 +1,193 @@
+#define _GNU_SOURCE // clock_getcpuclockid
+#include "preview/run/run_internal.h"
+#include "base/parallel.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#define A_MOMENT 0.004 // s that a poll may take
+
+// A picture's tiles and trees take longer than a photon.
+void run_patience(Run *run, double seconds)
+{
+    run->patience = run->request.kind == RUN_RENDER ? 5.0 * seconds : seconds;
+}
+
+Run *run_find(Broker *broker, uint32_t number)
+{
+    Run *run = broker->runs;
+    while (run && run->number != number)
+        run = run->next;
+    return run;
+}
+
+void run_note_end(Run *run, int worker, int status)
+{
+    run->parts[worker].ended = true;
+    run->parts[worker].status = status;
+}
+
+static void send_order(Run *run, OrderKind kind, int worker)
+{
+    WireOrder order;
+    memset(&order, 0, sizeof order);
+    order.kind = kind;
+    order.run = run->number;
+    order.worker = worker;
+    broker_send(run->broker, &order, NULL);
+}
+
+void run_end_workers(Run *run)
+{
+    bool working = false;
+    for (int i = 0; i < run->part_count; i++) {
+        Part *part = &run->parts[i];
+        working = working || !part->ended;
+        if (part->pipe >= 0)
+            close(part->pipe);
+        part->pipe = -1;
+        part_free(part);
+    }
+    if (working)
+        send_order(run, ORDER_END, 0);
+}
+
+void run_free(Run *run)
+{
+    if (!run)
+        return;
+    run_end_workers(run);
+    run_end_look_up(run);
+    Run **link = &run->broker->runs;
+    while (*link != run)
+        link = &(*link)->next;
+    *link = run->next;
+    image_free(&run->image);
+    free(run);
+}
+
+// Time of a processor that the worker has used, s; −1 where the system does not tell.
+static double processor_seconds(const Run *run, const Part *part)
+{
+#if defined(__linux__)
+    clockid_t clock;
+    struct timespec used;
+    pid_t pid = (pid_t)run->broker->hearts[part->heart].pid;
+    if (pid <= 0)
+        return 0.0; // not there yet
+    if (clock_getcpuclockid(pid, &clock) == 0 && clock_gettime(clock, &used) == 0)
+        return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
+#else
+    (void)run;
+    (void)part;
+#endif
+    return -1.0;
+}
+
+// One that got no processor is not stuck, up to a point; one that sleeps is.
+static bool is_stuck(const Run *run, const Part *part, double now)
+{
+    double quiet = now - part->alive;
+    if (quiet < run->patience)
+        return false;
+    double used = processor_seconds(run, part);
+    return used < 0.0 || used - part->processor > 0.5 * run->patience || quiet > 3.0 * run->patience;
+}
+
+static void watch_heart(Run *run, Part *part, bool news)
+{
+    double now = clock_seconds();
+    uint64_t beats = run->broker->hearts[part->heart].beats;
+    if (news || beats != part->beats || part->waiting) {
+        part->beats = beats;
+        part->alive = now;
+        part->processor = processor_seconds(run, part);
+    } else if (part->asked > 0.0 && now - part->asked > 0.5) {
+        run->failure.stuck = true; // it does not answer
+    } else if (part->asked <= 0.0 && is_stuck(run, part, now)) {
+        part->asked = now;
+        send_order(run, ORDER_WHERE, (int)(part - run->parts));
+    }
+}
+
+static void read_parts(Run *run)
+{
+    double until = clock_seconds() + A_MOMENT;
+    for (int i = 0; i < run->part_count; i++) {
+        Part *part = &run->parts[i];
+        if (part->waiting && run_take_picture(run, part)) {
+            part->waiting = false;
+            part->head_size = part->payload.size = 0;
+        }
+        bool news = part_read(run, part, until);
+        run->status.news = run->status.news || (news && run->request.kind != RUN_RENDER);
+        if (part->pipe >= 0 && !part->done)
+            watch_heart(run, part, news);
+    }
+}
+
+static void look_for_end(Run *run)
+{
+    double fraction = 0.0;
+    bool all_done = true;
+    for (int i = 0; i < run->part_count; i++) {
+        Part *part = &run->parts[i];
+        double own = run->broker->hearts[part->heart].fraction;
+        fraction += part->done ? 1.0 : own >= 0.0 && own <= 1.0 ? own : 0.0;
+        all_done = all_done && part->done;
+    }
+    run->status.fraction = fraction / (double)run->part_count;
+    if (!all_done)
+        return;
+    run->seconds = clock_seconds() - run->started;
+    run_describe_oddities(run);
+    run->status.state = RUN_DONE;
+    run->status.news = true;
+}
+
+RunStatus run_poll(Run *run)
+{
+    run->status.news = false;
+    if (run->status.state != RUN_GOING)
+        return run->status;
+    broker_listen(run->broker);
+    if (run->failing) {
+        run_go_on_with_failure(run);
+        return run->status;
+    }
+    read_parts(run);
+    run_look_for_failure(run);
+    if (!run->failing)
+        look_for_end(run);
+    return run->status;
+}
+
+void run_wait(Run *run, double seconds)
+{
+    if (run->status.state != RUN_GOING)
+        return;
+    struct pollfd watched[MOST_WORKERS + 2];
+    nfds_t count = 0;
+    if (run->broker->socket >= 0)
+        watched[count++] = (struct pollfd){run->broker->socket, POLLIN, 0};
+    if (run->look_up >= 0)
+        watched[count++] = (struct pollfd){run->look_up, POLLIN, 0};
+    for (int i = 0; i < run->part_count; i++)
+        if (run->parts[i].pipe >= 0 && !run->parts[i].waiting)
+            watched[count++] = (struct pollfd){run->parts[i].pipe, POLLIN, 0};
+    poll(watched, count, (int)(1e3 * seconds + 0.999));
+}
+
+const Image *run_image(const Run *run, int *passes)
+{
+    if (passes)
+        *passes = run->passes;
+    return run->image.pixels ? &run->image : NULL;
+}

@@ -1,0 +1,86 @@
+// From the first sign that a run failed to the sentence for the student.
+#define _GNU_SOURCE
+#include "preview/run/run_internal.h"
+#include "base/parallel.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define LONGEST_LOOK_UP 1.0 // s
+
+void run_end_look_up(Run *run)
+{
+    if (run->look_up < 0)
+        return;
+    close(run->look_up);
+    run->look_up = -1;
+    kill(run->looker, SIGKILL);
+    while (waitpid(run->looker, NULL, 0) < 0 && errno == EINTR) {
+    }
+}
+
+static void finish_failure(Run *run)
+{
+    run_end_look_up(run);
+    failure_describe(&run->failure, run->found, run->status.failure, sizeof run->status.failure);
+    run->status.state = RUN_FAILED;
+    run->status.news = true;
+}
+
+static void begin_failure(Run *run)
+{
+    run_end_workers(run);
+    run->failing = true;
+    run->failure.patience = run->patience;
+    run->failure.kind = run->request.kind;
+    run->failure.code_source = run->broker->code_source;
+    run->look_up = run->failure.words ? -1 : failure_look_up(&run->failure, &run->looker);
+    run->look_until = clock_seconds() + LONGEST_LOOK_UP;
+    if (run->look_up < 0)
+        finish_failure(run);
+}
+
+void run_go_on_with_failure(Run *run)
+{
+    ssize_t got = read(run->look_up, run->found + run->found_size, sizeof run->found - 1 - run->found_size);
+    if (got > 0)
+        run->found_size += (size_t)got;
+    bool more = got > 0 || (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR));
+    if (!more || clock_seconds() > run->look_until)
+        finish_failure(run);
+}
+
+static void fail_with(Run *run, const char *words)
+{
+    snprintf(run->words, sizeof run->words, "%s", words);
+    run->failure.words = run->words;
+    begin_failure(run);
+}
+
+void run_look_for_failure(Run *run)
+{
+    bool all_done = true;
+    for (int i = 0; i < run->part_count && !run->failing; i++) {
+        Part *part = &run->parts[i];
+        all_done = all_done && part->done;
+        if (part->done || part->pipe >= 0)
+            continue;
+        if (run->failure.has_crash && run->failure.crash.signal == SIGUSR1)
+            run->failure.stuck = true;
+        run->failure.status = part->status;
+        if (run->failure.words || run->failure.has_crash || part->ended)
+            begin_failure(run);
+    }
+    if (run->failing)
+        return;
+    if (run->out_of_memory)
+        fail_with(run, "not enough memory for what the run found; use fewer photons");
+    else if (run->failure.stuck)
+        begin_failure(run);
+    else if (run->broker->socket < 0 && !all_done)
+        fail_with(run, "the preview's helper process is gone; start the preview again");
+}

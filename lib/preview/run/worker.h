@@ -1,0 +1,37 @@
+// A worker: a process that does a part of one request, and ends.
+#ifndef PHOTONLAB_PREVIEW_WORKER_H
+#define PHOTONLAB_PREVIEW_WORKER_H
+
+#include "preview/run/wire.h"
+
+typedef struct {
+    const Scene *scene;
+    const WireOrder *order;
+    int index; // of order->workers
+    WireHeart *heart;
+    pid_t helper; // whose end is the worker's
+    StepChoice play;
+} Worker;
+
+// Does the part, sends what it finds down the pipe, and ends the process.
+void worker_run(Worker *worker, int pipe);
+
+// Parts of worker_run, by kind of request. False with a reason.
+bool worker_scatter(Worker *worker, Error *error);
+bool worker_lobe(Worker *worker, Error *error);
+bool worker_render(Worker *worker, Error *error); // goes on until it is killed
+
+// Everything behind one head. Ends the process when the window no longer listens.
+void worker_send(WireKind kind, const void *bytes, size_t size);
+// In two parts.
+void worker_send_both(WireKind kind, const void *first, size_t first_size, const void *rest, size_t rest_size);
+// True while a message is on its way and no other may begin.
+bool worker_is_sending(void);
+
+// From now on a fatal signal, an exit() and SIGUSR1 tell the window where they came from. `code`: the folder of the
+// student's objects; "" when there is none.
+void worker_watch(const char *code);
+// What comes now is no longer the student's doing.
+void worker_watch_end(void);
+
+#endif

@@ -1,0 +1,166 @@
+#include "preview/run/worker.h"
+#include "math/rng.h"
+
+#include <string.h>
+
+#define BATCH 2048
+// A path that leaves more than this will never end; what comes after would only fill the memory until it is ended.
+#define MOST_IN_PATH 100000
+
+typedef struct {
+    Worker *worker;
+    long first, last, path;
+    float reach; // how far escaped photons are drawn, m
+    long path_photons, path_legs;
+    int bounces;
+    size_t photon_count, leg_count;
+    ScatterPhoton photons[BATCH];
+    ScatterLeg legs[BATCH];
+} Scattering;
+
+static void flush_photons(Scattering *s)
+{
+    if (s->photon_count > 0)
+        worker_send(WIRE_PHOTONS, s->photons, s->photon_count * sizeof s->photons[0]);
+    s->photon_count = 0;
+}
+
+static void flush_legs(Scattering *s)
+{
+    if (s->leg_count > 0)
+        worker_send(WIRE_LEGS, s->legs, s->leg_count * sizeof s->legs[0]);
+    s->leg_count = 0;
+}
+
+static void take_path(void *user, long path)
+{
+    Scattering *s = user;
+    s->path = path;
+    s->path_photons = s->path_legs = 0;
+    s->worker->heart->beats++;
+    s->worker->heart->fraction = (double)(path - s->first) / (double)(s->last - s->first);
+}
+
+static void take_photon(void *user, const StoredPhoton *photon, float flown)
+{
+    Scattering *s = user;
+    if (s->path_photons++ >= MOST_IN_PATH)
+        return;
+    s->photons[s->photon_count] = (ScatterPhoton){*photon, flown};
+    if (++s->photon_count == BATCH)
+        flush_photons(s);
+}
+
+static void take_leg(void *user, const Photon *photon, const Hit *hit)
+{
+    Scattering *s = user;
+    if (hit && photon->bounce + 1 > s->bounces)
+        s->bounces = photon->bounce + 1;
+    if (s->path >= s->worker->order->request.recorded || s->path_legs++ >= MOST_IN_PATH)
+        return;
+    bool light = hit && hit->material->type == MATERIAL_LIGHT;
+    s->legs[s->leg_count] = (ScatterLeg){
+        .from = photon->position,
+        .to = hit ? hit->position : vec3_along(photon->position, photon->direction, s->reach),
+        .power = photon->power,
+        .flown = photon->flown,
+        .path = (uint32_t)s->path,
+        .bounce = (uint16_t)(photon->bounce < 65535 ? photon->bounce : 65535),
+        .colour = (uint8_t)photon->colour,
+        .end = (uint8_t)(!hit    ? LEG_ESCAPED
+                         : light ? LEG_LIGHT
+                                 : LEG_SURFACE),
+    };
+    if (++s->leg_count == BATCH)
+        flush_legs(s);
+}
+
+// Half across the scene.
+static float escape_reach(const Scene *scene)
+{
+    Box box = bvh_bounds(scene->bvh);
+    float across = vec3_length(vec3_sub(box.high, box.low));
+    return across > 0.0f && across < 1e30f ? 0.5f * across : 1.0f;
+}
+
+static void send_books(Worker *worker, WireKind kind, const PhotonPass *pass, int bounces)
+{
+    WireDone books;
+    memset(&books, 0, sizeof books);
+    books.ledger = pass->ledger;
+    books.emitted = pass->emitted;
+    books.unsound = pass->unsound;
+    books.redraw_caps = redraw_cap_count();
+    books.segments = pass->segments;
+    books.bounces = bounces;
+    memcpy(books.states, step_states, sizeof books.states);
+    books.play = worker->play;
+    worker_send(kind, &books, sizeof books);
+}
+
+bool worker_scatter(Worker *worker, Error *error)
+{
+    static Scattering s;
+    const RunRequest *request = &worker->order->request;
+    int parts = worker->order->workers;
+    s.worker = worker;
+    s.first = request->photons / parts * worker->index;
+    s.last = worker->index + 1 < parts ? request->photons / parts * (worker->index + 1) : request->photons;
+    s.reach = escape_reach(worker->scene);
+    PhotonRecorder recorder = {&s, take_path, take_photon, take_leg};
+    PhotonPassOptions options = {
+        .photons = request->photons,
+        .depth = request->depth > 0 ? request->depth : worker->scene->settings.depth,
+        .seed = request->seed,
+        .threads = 1,
+        .keep = KEEP_ALL,
+        .glossy = worker->play.glossy,
+        .loop = worker->play.loop,
+        .first = s.first,
+        .last = s.last,
+        .recorder = &recorder,
+    };
+    PhotonPass pass = {.emitted = 0};
+    send_books(worker, WIRE_BEGUN, &pass, 0);
+    if (!photon_pass_run(worker->scene, &options, &pass, error))
+        return false;
+    flush_photons(&s);
+    flush_legs(&s);
+    worker->heart->fraction = 1.0;
+    send_books(worker, WIRE_DONE, &pass, s.bounces);
+    photon_pass_free(&pass);
+    return true;
+}
+
+static WireSample draw_sample(const RunRequest *request, Vec3 incoming, Vec3 normal, long i)
+{
+    Rng rng = rng_create(request->seed, (uint64_t)i);
+    WireSample sample = {{0.0f, 0.0f, 0.0f}, 1.0f};
+    if (request->diffuse)
+        sample.direction = steps.scatter_diffuse(normal, &rng);
+    else if (!steps.scatter_glossy(incoming, normal, request->exponent, &rng, &sample.direction, &sample.weight))
+        sample.weight = 0.0f;
+    return sample;
+}
+
+bool worker_lobe(Worker *worker, Error *error)
+{
+    (void)error;
+    const RunRequest *request = &worker->order->request;
+    float angle = request->angle * PI / 180.0f;
+    Vec3 normal = vec3(0.0f, 0.0f, 1.0f), incoming = vec3(sinf(angle), 0.0f, -cosf(angle));
+    WireSample batch[BATCH];
+    size_t count = 0;
+    for (long i = 0; i < request->samples; i++) {
+        batch[count++] = draw_sample(request, incoming, normal, i);
+        worker->heart->beats++;
+        worker->heart->fraction = (double)(i + 1) / (double)request->samples;
+        if (count == BATCH || i + 1 == request->samples) {
+            worker_send(WIRE_SAMPLES, batch, count * sizeof batch[0]);
+            count = 0;
+        }
+    }
+    PhotonPass none = {.emitted = 0};
+    send_books(worker, WIRE_DONE, &none, 0);
+    return true;
+}

@@ -1,0 +1,175 @@
+// Words around the picture: title lines, a fault, the status, the list of keys.
+#include "preview/view/view_internal.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LINE   12.0f // pixels between lines, at scale 1
+#define MARGIN 6.0f
+
+static const Rgba PLATE = {12, 15, 22, 205};
+static const Rgba RED_PLATE = {120, 16, 20, 235};
+
+float overlay_scale(const Canvas *canvas)
+{
+    float height = (float)canvas_height(canvas), width = (float)canvas_width(canvas);
+    float side = fminf(height, 0.6f * width); // whole numbers: letters stay even
+    return side < 640.0f ? 1.0f : side < 1300.0f ? 2.0f : 3.0f;
+}
+
+static size_t fitting(const char *text, float scale, float width)
+{
+    size_t end = strcspn(text, "\n"), space = 0;
+    char line[512];
+    for (size_t i = 0; i < end && i + 1 < sizeof line; i++) {
+        line[i] = text[i];
+        line[i + 1] = '\0';
+        if (canvas_text_width(scale, line) > width)
+            return space ? space : i ? i : 1;
+        if (text[i] == ' ')
+            space = i;
+    }
+    return end < sizeof line ? end : sizeof line - 1;
+}
+
+// Takes characters off the line until ".." fits after it.
+static void cut_short(char *line, float scale, float width)
+{
+    size_t length = strlen(line);
+    do {
+        strcpy(line + length, "..");
+    } while (canvas_text_width(scale, line) > width && length-- > 0);
+}
+
+int overlay_wrap(const char *text, float scale, float width, int most, char *wrapped, size_t size)
+{
+    int lines = 0;
+    size_t used = 0;
+    while (lines < most) {
+        size_t length = fitting(text, scale, width);
+        if (used + length + 4 > size)
+            length = size > used + 4 ? size - used - 4 : 0;
+        memcpy(wrapped + used, text, length);
+        wrapped[used + length] = '\0';
+        text += length;
+        lines++;
+        if (!*text || used + length + 4 >= size)
+            return lines;
+        if (lines == most) {
+            cut_short(wrapped + used, scale, width);
+            return lines;
+        }
+        text += *text == ' ' || *text == '\n';
+        used += length;
+        wrapped[used++] = '\n';
+    }
+    return lines;
+}
+
+static void text_size(const char *text, float scale, float *width, float *height)
+{
+    char line[512];
+    *width = 0.0f;
+    *height = 0.0f;
+    for (const char *at = text;; at++) {
+        size_t length = strcspn(at, "\n");
+        snprintf(line, sizeof line, "%.*s", (int)length, at);
+        *width = fmaxf(*width, canvas_text_width(scale, line));
+        *height += LINE * scale;
+        at += length;
+        if (!*at)
+            return;
+    }
+}
+
+static const uint8_t *bytes(const Rgba *colour)
+{
+    return (const uint8_t *)colour;
+}
+
+float overlay_plate(Canvas *canvas, float x, float y, float scale, Rgba ink, Rgba plate, const char *text)
+{
+    float width, height, margin = MARGIN * scale;
+    text_size(text, scale, &width, &height);
+    canvas_rectangle(canvas, x, y, width + 2.0f * margin, height + 1.4f * margin, bytes(&plate));
+    canvas_text(canvas, x + margin, y + margin, scale, bytes(&ink), text);
+    return height + 1.4f * margin;
+}
+
+static float draw_banner(Canvas *canvas, float scale, const char *text)
+{
+    char wrapped[2048];
+    float width = (float)canvas_width(canvas), margin = MARGIN * scale;
+    int most = canvas_height(canvas) < 400 ? 4 : 8;
+    int lines = overlay_wrap(text, scale, width - 2.0f * margin, most, wrapped, sizeof wrapped);
+    float height = (float)lines * LINE * scale + 1.4f * margin;
+    canvas_rectangle(canvas, 0, 0, width, height, bytes(&RED_PLATE));
+    canvas_text(canvas, margin, margin, scale, (const uint8_t[4]){255, 235, 230, 255}, wrapped);
+    return height;
+}
+
+static void draw_status(Canvas *canvas, float scale, const char *text)
+{
+    char wrapped[1024];
+    float width = (float)canvas_width(canvas), margin = MARGIN * scale;
+    int lines = overlay_wrap(text, scale, width - 2.0f * margin, 2, wrapped, sizeof wrapped);
+    float height = (float)lines * LINE * scale + 1.2f * margin;
+    float top = (float)canvas_height(canvas) - height;
+    canvas_rectangle(canvas, 0, top, width, height, bytes(&PLATE));
+    canvas_text(canvas, margin, top + 0.8f * margin, scale, bytes(&COLOUR_OF_TEXT), wrapped);
+}
+
+static void draw_help(Canvas *canvas, float scale, const char *text)
+{
+    float width, height, room_x = (float)canvas_width(canvas), room_y = (float)canvas_height(canvas);
+    text_size(text, scale, &width, &height);
+    while (scale > 0.6f && (width + 3.0f * MARGIN * scale > room_x || height + 3.0f * MARGIN * scale > room_y)) {
+        scale -= 0.1f;
+        text_size(text, scale, &width, &height);
+    }
+    overlay_plate(canvas, 0.5f * (room_x - width) - MARGIN * scale, 0.5f * (room_y - height) - MARGIN * scale, scale,
+                  COLOUR_OF_TEXT, (Rgba){16, 22, 36, 240}, text);
+}
+
+// What is shown, at the top left.
+static float draw_description(Canvas *canvas, float scale, float top, const View *view, const Scene *scene,
+                              const Side *side, bool narrow)
+{
+    char text[1024], wrapped[1200];
+    view_describe(view, scene, side, text, sizeof text);
+    if (!text[0])
+        return 0.0f;
+    float room = (float)canvas_width(canvas) * (narrow ? 0.46f : 0.66f) - 2.0f * MARGIN * scale;
+    overlay_wrap(text, scale, room, 7, wrapped, sizeof wrapped);
+    return overlay_plate(canvas, 0, top, scale, COLOUR_OF_TEXT, (Rgba){12, 15, 22, 150}, wrapped);
+}
+
+static void draw_title(Canvas *canvas, float scale, float middle, float bottom, const char *title)
+{
+    float width = canvas_text_width(scale, title) + 2.0f * MARGIN * scale;
+    overlay_plate(canvas, middle - 0.5f * width, bottom - (LINE + 1.4f * MARGIN) * scale, scale, COLOUR_OF_LIGHTS,
+                  PLATE, title);
+}
+
+void overlay_draw(Canvas *canvas, const View *view, const Scene *scene, Side *yours, const Captions *captions)
+{
+    float scale = overlay_scale(canvas), top = 0.0f, width = (float)canvas_width(canvas);
+    if (captions->banner && captions->banner[0])
+        top = draw_banner(canvas, scale, captions->banner);
+    if (!captions->picture) {
+        draw_description(canvas, scale, top, view, scene, yours, view->split);
+        legend_draw(canvas, view, scene, yours, top);
+    }
+    if (view->split && !captions->picture) {
+        float bottom = (float)canvas_height(canvas) - (captions->status ? 38.0f * scale : 4.0f);
+        if (captions->left_title)
+            draw_title(canvas, scale, 0.25f * width, bottom, captions->left_title);
+        if (captions->right_title)
+            draw_title(canvas, scale, 0.75f * width, bottom, captions->right_title);
+    }
+    if (captions->status && captions->status[0])
+        draw_status(canvas, scale, captions->status);
+    if (view->help && captions->help)
+        draw_help(canvas, scale, captions->help);
+}

@@ -1,0 +1,52 @@
+// What a photon pass left behind for the preview: photons at rest, and the legs of some of the paths.
+#ifndef PHOTONLAB_PREVIEW_SCATTER_H
+#define PHOTONLAB_PREVIEW_SCATTER_H
+
+#include "photons/pass/photon_pass.h"
+#include "steps/steps.h"
+
+// A photon at rest, and how far it had flown since the light, m: what lets photons appear in order of flight.
+typedef struct {
+    StoredPhoton at;
+    float flown;
+} ScatterPhoton;
+
+typedef enum {
+    LEG_SURFACE, // ends at a surface, and what happened there shows in the next leg, if there is one
+    LEG_LIGHT,   // ends at a light, which absorbs it
+    LEG_ESCAPED  // leaves the scene; drawn for a while
+} LegEnd;
+
+// One straight part of a path. The legs of a path follow each other in the order of flight; where a photon split, a
+// child's legs come before those of the next child.
+typedef struct {
+    Vec3 from, to; // m
+    Colour power;  // W, carried along this leg
+    float flown;   // at `from`, m
+    uint32_t path; // number of the emitted photon
+    uint16_t bounce;
+    uint8_t colour; // PhotonColour
+    uint8_t end;    // LegEnd
+} ScatterLeg;
+
+typedef struct {
+    ScatterPhoton *photons; // in the order of the paths: any first part is a fair sample
+    size_t count;
+    ScatterLeg *legs; // of the first `recorded` paths
+    size_t leg_count;
+    long recorded, emitted;
+    int bounces; // the most that a photon had met
+    Ledger ledger;
+    uint64_t segments;
+    UnsoundPaths unsound;
+    long redraw_caps;
+    double seconds;  // from the request until all was there
+    double farthest; // that any of the photons and legs had flown, m
+    StepState states[STEP_COUNT];
+    StepChoice play;
+} Scatter;
+
+// The largest `flown` of its photons and of its legs' ends, m.
+double scatter_farthest(const Scatter *scatter);
+
+#endif

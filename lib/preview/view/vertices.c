@@ -1,0 +1,90 @@
+// Lists of vertices, and batches that remember what they were made of.
+#include "preview/view/view_internal.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define CIRCLE_PARTS 64
+
+void vertices_free(Vertices *list)
+{
+    free(list->items);
+    *list = (Vertices){.items = NULL};
+}
+
+bool vertices_reserve(Vertices *list, size_t more)
+{
+    if (list->lost)
+        return false;
+    if (list->count + more <= list->room)
+        return true;
+    size_t room = list->room * 2 > list->count + more ? list->room * 2 : list->count + more;
+    Vertex *items = realloc(list->items, room * sizeof *items);
+    if (!items) {
+        list->lost = true;
+        return false;
+    }
+    list->items = items;
+    list->room = room;
+    return true;
+}
+
+void vertices_point(Vertices *list, Vec3 at, Rgba colour)
+{
+    if (vertices_reserve(list, 1))
+        list->items[list->count++] = (Vertex){at.x, at.y, at.z, colour.r, colour.g, colour.b, colour.a};
+}
+
+void vertices_fading(Vertices *list, Vec3 from, Vec3 to, Rgba start, Rgba end)
+{
+    if (!vertices_reserve(list, 2))
+        return;
+    vertices_point(list, from, start);
+    vertices_point(list, to, end);
+}
+
+void vertices_line(Vertices *list, Vec3 from, Vec3 to, Rgba colour)
+{
+    vertices_fading(list, from, to, colour, colour);
+}
+
+void vertices_circle(Vertices *list, Vec3 centre, Vec3 across, Vec3 along, float radius, Rgba colour)
+{
+    Vec3 last = vec3_along(centre, across, radius);
+    for (int i = 1; i <= CIRCLE_PARTS; i++) {
+        float angle = 2.0f * PI * (float)i / CIRCLE_PARTS;
+        Vec3 next = vec3_along(vec3_along(centre, across, radius * cosf(angle)), along, radius * sinf(angle));
+        vertices_line(list, last, next, colour);
+        last = next;
+    }
+}
+
+void vertices_box(Vertices *list, Box box, Rgba colour)
+{
+    for (int i = 0; i < 8; i++)
+        for (int axis = 1; axis < 8; axis *= 2) {
+            if (i & axis)
+                continue;
+            int j = i | axis;
+            Vec3 from =
+                vec3(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z);
+            Vec3 to =
+                vec3(j & 1 ? box.high.x : box.low.x, j & 2 ? box.high.y : box.low.y, j & 4 ? box.high.z : box.low.z);
+            vertices_line(list, from, to, colour);
+        }
+}
+
+bool cache_is(Cache *cache, const double key[KEY_SIZE])
+{
+    if (cache->valid && memcmp(cache->key, key, sizeof cache->key) == 0)
+        return true;
+    memcpy(cache->key, key, sizeof cache->key);
+    cache->valid = true;
+    return false;
+}
+
+void cache_fill(Canvas *canvas, Cache *cache, Vertices *list)
+{
+    batch_upload(canvas, cache->batch, list->items, list->count);
+    vertices_free(list);
+}

@@ -1,0 +1,61 @@
+// Headers of the student's own: when one is saved, the steps that include it are built anew.
+#define _GNU_SOURCE // st_mtim
+#include "preview/watch/watch_internal.h"
+#include "base/file.h"
+#include "math/rng.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define MOST_BYTES (1u << 20) // of what a compiler writes about one object
+
+// The next path of a make rule: parted by blanks, with a backslash before a blank that belongs to it. NULL: no more.
+static char *next_path(char **text)
+{
+    char *from = *text;
+    while (*from == ' ' || *from == '\n' || (*from == '\\' && from[1] == '\n'))
+        from++;
+    char *path = from, *to = from;
+    while (*from && *from != ' ' && *from != '\n') {
+        from += *from == '\\' && from[1] == ' ';
+        *to++ = *from++;
+    }
+    *text = from + (*from != '\0');
+    *to = '\0';
+    return path < to ? path : NULL;
+}
+
+static bool is_own_header(const Watch *watch, const char *path)
+{
+    size_t folder = strlen(watch->source), length = strlen(path);
+    return length > folder + 2 && strncmp(path, watch->source, folder) == 0 && path[folder] == '/' &&
+           strcmp(path + length - 2, ".h") == 0;
+}
+
+static unsigned long long add_print(unsigned long long sum, const char *path)
+{
+    struct stat info;
+    sum = hash_u64(sum + 1);
+    if (stat(path, &info) != 0)
+        return sum;
+    sum = hash_u64(sum ^ (unsigned long long)CHANGED_AT(info).tv_sec);
+    sum = hash_u64(sum ^ (unsigned long long)CHANGED_AT(info).tv_nsec);
+    return hash_u64(sum ^ (unsigned long long)info.st_size ^ (unsigned long long)info.st_ino << 20);
+}
+
+unsigned long long watch_print_headers(const Watch *watch, size_t i)
+{
+    char rules[4096];
+    size_t size;
+    Error error = {""};
+    snprintf(rules, sizeof rules, "%s/%s.d", watch->objects, step_table[i].file);
+    char *text = file_read(rules, MOST_BYTES, &size, &error), *rest = text;
+    unsigned long long sum = 0;
+    for (char *path; text && (path = next_path(&rest));)
+        if (is_own_header(watch, path))
+            sum = add_print(sum, path);
+    free(text);
+    return sum;
+}

@@ -1,0 +1,53 @@
+// What the watch is made of; for watch.c and watch_notify.c.
+#ifndef PHOTONLAB_PREVIEW_WATCH_INTERNAL_H
+#define PHOTONLAB_PREVIEW_WATCH_INTERNAL_H
+
+#include "preview/watch/watch.h"
+#include "preview/watch/watch_build.h"
+#include "steps/steps.h"
+
+#if defined(__APPLE__)
+#define CHANGED_AT(info) (info).st_mtimespec
+#else
+#define CHANGED_AT(info) (info).st_mtim
+#endif
+
+// What tells one state of a file from the next.
+typedef struct {
+    bool there;
+    long long seconds, nanoseconds, size;
+    unsigned long long number;
+    unsigned long long headers; // of the student's own that it includes, all together
+} Print;
+
+typedef struct {
+    Print print;
+    bool dirty;      // was saved and waits to be built
+    char error[300]; // of its last build; "": it went well
+    double since;    // of the last sign that it was saved
+} Source;
+
+struct Watch {
+    char source[2048], objects[2048], *command;
+    Source files[STEP_COUNT];
+    int inotify;             // −1: none
+    int folders[STEP_COUNT]; // inotify's number for the folder of each step; −1: not there
+    double looked;
+    Build build;
+    size_t building; // the step
+    char message[1024], warning[1024];
+    char stray[512]; // a saved file that is named like no step; "": none
+};
+
+const char *watch_step_name(const StepInfo *step); // "1.3_scatter_diffuse"
+Print watch_take_print(const Watch *watch, size_t step);
+// Of the headers below the watched folder that the step's last build read, as the compiler has written them down beside
+// the object. 0: none.
+unsigned long long watch_print_headers(const Watch *watch, size_t step);
+void watch_mark(Watch *watch, size_t step); // its file was saved, or may have been
+
+// By inotify; without it the first two do nothing, and times have to do.
+void watch_start_listening(Watch *watch);
+void watch_take_changes(Watch *watch);
+
+#endif

@@ -1,0 +1,102 @@
+// Saves, as inotify tells of them.
+#include "preview/watch/watch_internal.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#if defined(__linux__)
+#include <sys/inotify.h>
+#define HAS_INOTIFY 1
+#endif
+
+#ifdef HAS_INOTIFY
+#define CHANGES (IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE)
+
+// Folders that are watched already give the same number again.
+static void watch_folders(Watch *watch)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        char path[4096];
+        const char *slash = strchr(step_table[i].file, '/');
+        snprintf(path, sizeof path, "%s/%.*s", watch->source, (int)(slash - step_table[i].file), step_table[i].file);
+        watch->folders[i] = inotify_add_watch(watch->inotify, path, CHANGES | IN_ONLYDIR);
+    }
+}
+
+// "1.3_copy.c", but not what editors leave beside a file: ".1.3_x.c.swp", "#1.3_x.c#", "1.3_x.c~".
+static bool looks_like_a_step(const char *name)
+{
+    const char *ending = strrchr(name, '.');
+    return name[0] >= '0' && name[0] <= '9' && ending && strcmp(ending, ".c") == 0;
+}
+
+static void take_change(Watch *watch, const struct inotify_event *event)
+{
+    if (event->mask & (IN_ISDIR | IN_IGNORED | IN_Q_OVERFLOW)) { // a stage's folder came or went, or too much happened
+        watch_folders(watch);
+        watch->looked = 0.0;
+        return;
+    }
+    bool known = event->len == 0;
+    for (size_t i = 0; i < STEP_COUNT && event->len > 0; i++) {
+        const char *name = watch_step_name(&step_table[i]);
+        size_t length = strlen(name);
+        if (event->wd != watch->folders[i] || strncmp(event->name, name, length) != 0 ||
+            strcmp(event->name + length, ".c") != 0)
+            continue;
+        known = true;
+        if (!(event->mask & IN_CREATE && !watch_take_print(watch, i).size))
+            watch_mark(watch, i);
+    }
+    if (!known)
+        watch->looked = 0.0; // a header of a step's?
+    if (!known && event->mask & (IN_CLOSE_WRITE | IN_MOVED_TO) && looks_like_a_step(event->name))
+        snprintf(watch->stray, sizeof watch->stray, "%s", event->name);
+}
+
+void watch_take_changes(Watch *watch)
+{
+    union {
+        struct inotify_event event; // aligned as one must be
+        char bytes[8192];
+    } room;
+    for (;;) {
+        ssize_t size = watch->inotify >= 0 ? read(watch->inotify, room.bytes, sizeof room.bytes) : 0;
+        if (size <= 0)
+            return;
+        for (ssize_t at = 0; at < size;) {
+            const struct inotify_event *event = (const struct inotify_event *)(const void *)(room.bytes + at);
+            take_change(watch, event);
+            at += (ssize_t)(sizeof *event + event->len);
+        }
+    }
+}
+
+void watch_start_listening(Watch *watch)
+{
+    const char *wish = getenv("PHOTONLAB_WATCH");
+    if (wish && strcmp(wish, "times") == 0)
+        return;
+    watch->inotify = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    if (watch->inotify < 0)
+        return;
+    if (inotify_add_watch(watch->inotify, watch->source, CHANGES | IN_ONLYDIR) < 0) {
+        close(watch->inotify);
+        watch->inotify = -1;
+        return;
+    }
+    watch_folders(watch);
+}
+#else
+void watch_take_changes(Watch *watch)
+{
+    (void)watch;
+}
+
+void watch_start_listening(Watch *watch)
+{
+    (void)watch;
+}
+#endif

@@ -1,0 +1,44 @@
+// Wavefront OBJ meshes: points, corner normals, polygons and names of materials. What else a file may hold
+// (texture coordinates, groups, smoothing groups, lines, curves) is read over; an unknown keyword is an
+// error.
+#ifndef PHOTONLAB_SCENE_OBJ_H
+#define PHOTONLAB_SCENE_OBJ_H
+
+#include "base/error.h"
+#include "math/vec3.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define OBJ_NONE UINT32_MAX
+
+typedef struct {
+    uint32_t point[3];  // into ObjMesh.points, counter-clockwise seen from outside
+    uint32_t normal[3]; // into ObjMesh.normals; OBJ_NONE for all three or for none
+    uint32_t material;  // into ObjMesh.materials; OBJ_NONE before the first usemtl
+} ObjTriangle;
+
+typedef struct {
+    char name[64];
+    long line; // of its first usemtl
+} ObjMaterial;
+
+typedef struct {
+    Vec3 *points, *normals; // normals are unit
+    ObjTriangle *triangles;
+    ObjMaterial *materials;
+    size_t point_count, normal_count, triangle_count, material_count;
+    size_t point_capacity, normal_capacity, triangle_capacity, material_capacity;
+} ObjMesh;
+
+// Reads the text of a file; `name` stands for the file in messages. Fills *mesh; the caller frees it with
+// obj_free, also after a failure. False with "file:line: what is wrong; what was expected" when a line cannot
+// be read, refers to points that do not stand above it, is a face without area or a normal of no length, or
+// when there are no faces at all. A polygon becomes a fan about its first corner, which is right for convex
+// ones only; of its triangles those without area are left out as long as one remains. Indices of texture
+// coordinates are not checked.
+bool obj_read_text(const char *text, size_t size, const char *name, ObjMesh *mesh, Error *error);
+void obj_free(ObjMesh *mesh);
+
+#endif

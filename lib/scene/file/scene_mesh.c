@@ -1,0 +1,159 @@
+// Meshes: read, placed, and made into triangles of the scene.
+#include "scene/file/scene_load.h"
+
+#include "scene/file/limits.h"
+#include "scene/file/obj.h"
+#include "base/text.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LARGEST_OBJ_FILE ((size_t)512 << 20) // bytes: five million triangles and more
+
+// Where scale and rotations take the three axes, and the way moved afterwards.
+typedef struct {
+    Vec3 x, y, z, translate;
+    float scale;
+} Placement;
+
+static Vec3 turned_axis(Vec3 axis, const float *degrees)
+{
+    for (int i = 0; i < 3 && degrees; i++)
+        axis = scene_rotate(axis, i, degrees[i]);
+    return axis;
+}
+
+static Placement placement_of(const ShapeEntry *entry)
+{
+    return (Placement){
+        .x = turned_axis(vec3(1, 0, 0), entry->rotate),
+        .y = turned_axis(vec3(0, 1, 0), entry->rotate),
+        .z = turned_axis(vec3(0, 0, 1), entry->rotate),
+        .translate = entry->translate ? vec3_from_entry(entry->translate) : vec3(0, 0, 0),
+        .scale = entry->scale ? *entry->scale : 1.0f,
+    };
+}
+
+static Vec3 turned(const Placement *placement, Vec3 v)
+{
+    return vec3_along(vec3_along(vec3_scale(placement->x, v.x), placement->y, v.y), placement->z, v.z);
+}
+
+static bool place_mesh(const SceneLoader *loader, ObjMesh *mesh, const Placement *placement)
+{
+    for (size_t i = 0; i < mesh->normal_count; i++)
+        mesh->normals[i] = turned(placement, mesh->normals[i]);
+    for (size_t i = 0; i < mesh->point_count; i++) {
+        Vec3 p = vec3_along(placement->translate, turned(placement, mesh->points[i]), placement->scale);
+        mesh->points[i] = p;
+        float most = fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z)));
+        if (most > (float)SCENE_LARGEST_NUMBER)
+            return scene_fault(loader, "scale",
+                               "scale and translate put a point of the mesh %g m away; expected at most %g", most,
+                               SCENE_LARGEST_NUMBER);
+    }
+    return true;
+}
+
+// Corner normals are kept unless one of them looks to the other side than the face: such a mesh contradicts
+// itself there, and the face's own normal is the one that tells inside from outside.
+static bool add_corner_normals(SceneLoader *loader, const ObjMesh *mesh, const ObjTriangle *triangle, Flat *flat)
+{
+    Vec3 face = vec3_cross(flat->edge_u, flat->edge_v), corners[3];
+    for (int i = 0; i < 3; i++) {
+        corners[i] = mesh->normals[triangle->normal[i]]; // turned already
+        if (vec3_dot(corners[i], face) <= 0.0f)
+            return true;
+    }
+    flat->normals = (uint32_t)(loader->scene->normal_count + 1) & 0x7fffffffu;
+    return scene_add_normals(loader, corners);
+}
+
+// The scene's numbers of the mesh's materials, and last that of faces without any. The caller frees them.
+static uint32_t *mesh_materials(const SceneLoader *loader, const ObjMesh *mesh, const char *path, uint32_t unnamed)
+{
+    uint32_t *numbers = malloc((mesh->material_count + 1) * sizeof *numbers);
+    if (!numbers) {
+        error_set(loader->error, "%s: not enough memory", path);
+        return NULL;
+    }
+    numbers[mesh->material_count] = unnamed;
+    for (size_t i = 0; i < mesh->material_count; i++) {
+        const ObjMaterial *material = &mesh->materials[i];
+        if (scene_find_material(loader, material->name, &numbers[i]))
+            continue;
+        char suggestion[400];
+        scene_suggest_material(loader, material->name, suggestion, sizeof suggestion);
+        error_set(loader->error, "%s:%ld: usemtl '%s' is no material of %s; %s", path, material->line, material->name,
+                  loader->file, suggestion);
+        free(numbers);
+        return NULL;
+    }
+    return numbers;
+}
+
+static bool add_mesh(SceneLoader *loader, const ObjMesh *mesh, const uint32_t *materials)
+{
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        const ObjTriangle *triangle = &mesh->triangles[i];
+        const uint32_t *point = triangle->point;
+        Vec3 origin = mesh->points[point[0]];
+        Flat flat = {
+            .origin = origin,
+            .edge_u = vec3_sub(mesh->points[point[1]], origin),
+            .edge_v = vec3_sub(mesh->points[point[2]], origin),
+            .material = materials[triangle->material == OBJ_NONE ? mesh->material_count : triangle->material],
+            .is_triangle = 1,
+        };
+        if (flat.material == NO_MATERIAL)
+            return scene_fault(loader, NULL, "this mesh has faces without usemtl; expected a 'material' for them");
+        if (flat_is_degenerate(flat.edge_u, flat.edge_v))
+            return scene_fault(loader, NULL,
+                               "a triangle of this mesh vanishes by its scale or its distance from 0; "
+                               "expected a larger scale or a smaller translate");
+        if (triangle->normal[0] != OBJ_NONE && !add_corner_normals(loader, mesh, triangle, &flat))
+            return false;
+        if (!scene_add_flat(loader, flat))
+            return false;
+    }
+    return true;
+}
+
+// The file's name is taken from the scene's folder, unless it begins with a slash. The caller frees the path.
+static char *mesh_path(const char *folder, const char *file)
+{
+    size_t size = strlen(folder) + strlen(file) + 1;
+    char *path = malloc(size);
+    if (path)
+        snprintf(path, size, "%s%s", file[0] == '/' ? "" : folder, file);
+    return path;
+}
+
+static bool add_text(SceneLoader *loader, const ShapeEntry *entry, const char *text, size_t size, const char *path,
+                     uint32_t material)
+{
+    ObjMesh mesh;
+    uint32_t *materials = NULL;
+    Placement placement = placement_of(entry);
+    bool fine = obj_read_text(text, size, path, &mesh, loader->error) && place_mesh(loader, &mesh, &placement) &&
+                (materials = mesh_materials(loader, &mesh, path, material)) && add_mesh(loader, &mesh, materials);
+    free(materials);
+    obj_free(&mesh);
+    return fine;
+}
+
+bool scene_build_mesh(SceneLoader *loader, const ShapeEntry *entry, uint32_t material)
+{
+    if (!loader->folder)
+        return scene_fault(loader, "file", "meshes are not read here");
+    char *path = mesh_path(loader->folder, entry->file);
+    Error unread = {""};
+    size_t size = 0;
+    char *text = path ? text_read_file(path, LARGEST_OBJ_FILE, &size, &unread) : NULL;
+    bool fine = text ? add_text(loader, entry, text, size, path, material)
+                     : scene_fault(loader, "file", "the mesh %s", unread.message);
+    free(text);
+    free(path);
+    return fine;
+}

@@ -1,0 +1,135 @@
+#include "class/table/class_table.h"
+#include "base/file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define MOST_CSV (64u << 20)
+
+static char separator_of(const char *text)
+{
+    size_t line = strcspn(text, "\r\n");
+    if (memchr(text, ',', line))
+        return ',';
+    return memchr(text, ';', line) ? ';' : memchr(text, '\t', line) ? '\t' : ',';
+}
+
+// Reads one cell in place: quotes go, doubled ones become one. Returns what stood behind it ('\0' at the end).
+static char take_cell(char **at, char separator, char **cell)
+{
+    char *from = *at, *to = *at;
+    *cell = to;
+    if (*from == '"') {
+        from++;
+        while (*from && !(from[0] == '"' && from[1] != '"')) {
+            from += from[0] == '"';
+            *to++ = *from++;
+        }
+        from += *from == '"';
+    }
+    while (*from && *from != separator && *from != '\n' && *from != '\r')
+        *to++ = *from++;
+    char end = *from;
+    if (end == '\r' && from[1] == '\n') {
+        from++;
+        end = '\n';
+    }
+    *at = from + (*from != '\0');
+    *to = '\0';
+    return end == '\r' ? '\n' : end;
+}
+
+static bool add_cell(Csv *csv, size_t *room, size_t count, char *cell)
+{
+    if (count == *room) {
+        size_t more = *room * 2 + 64;
+        char **cells = realloc(csv->cells, more * sizeof *cells);
+        if (!cells)
+            return false;
+        csv->cells = cells;
+        *room = more;
+    }
+    csv->cells[count] = cell;
+    return true;
+}
+
+static bool is_blank_line(const char *at)
+{
+    return *at == '\n' || (at[0] == '\r' && at[1] == '\n');
+}
+
+static bool read_rows(Csv *csv, char *at, const char *path, Error *error)
+{
+    size_t room = 0, count = 0;
+    char separator = separator_of(at);
+    while (*at) {
+        if (is_blank_line(at)) {
+            at += *at == '\r' ? 2 : 1;
+            continue;
+        }
+        size_t in_row = 0;
+        char end = separator;
+        while (end == separator) {
+            char *cell;
+            end = take_cell(&at, separator, &cell);
+            if (csv->rows > 0 && in_row == csv->columns && *cell)
+                return error_set(error, "%s: row %zu has more cells than the header", path, csv->rows + 1);
+            if ((csv->rows == 0 || in_row < csv->columns) && !add_cell(csv, &room, count++, cell))
+                return error_set(error, "%s: no memory", path);
+            in_row += csv->rows == 0 || in_row < csv->columns;
+        }
+        if (csv->rows++ == 0)
+            csv->columns = in_row;
+        for (; in_row < csv->columns; in_row++)
+            if (!add_cell(csv, &room, count++, ""))
+                return error_set(error, "%s: no memory", path);
+    }
+    return csv->rows > 0 || error_set(error, "%s: it has no header", path);
+}
+
+bool csv_read(const char *path, Csv *csv, Error *error)
+{
+    size_t size;
+    *csv = (Csv){file_read(path, MOST_CSV, &size, error), NULL, 0, 0};
+    if (!csv->bytes)
+        return false;
+    if (strlen(csv->bytes) != size)
+        return error_set(error, "%s: holds a zero byte; is it a CSV in UTF-8?", path);
+    return read_rows(csv, csv->bytes + (strncmp(csv->bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0), path, error);
+}
+
+const char *csv_cell(const Csv *csv, size_t row, size_t column)
+{
+    return csv->cells[row * csv->columns + column];
+}
+
+void csv_write(FILE *stream, const char *cell, bool first)
+{
+    if (!first)
+        fputc(',', stream);
+    if (!cell[strcspn(cell, ",\"\r\n;\t")] && cell[0] != ' ') {
+        fputs(cell, stream);
+        return;
+    }
+    fputc('"', stream);
+    for (; *cell; cell++)
+        fputs(*cell == '"' ? "\"\"" : (char[]){*cell, '\0'}, stream);
+    fputc('"', stream);
+}
+
+void csv_write_text(FILE *stream, const char *cell, bool first)
+{
+    char safe[8192];
+    snprintf(safe, sizeof safe, "%s%s", *cell && strchr("=+-@", *cell) ? "'" : "", cell);
+    for (char *at = safe; *at; at++)
+        if (*at == '\n' || *at == '\r')
+            *at = ' ';
+    csv_write(stream, safe, first);
+}
+
+void csv_free(Csv *csv)
+{
+    free(csv->cells);
+    free(csv->bytes);
+    *csv = (Csv){NULL, NULL, 0, 0};
+}

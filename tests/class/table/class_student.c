@@ -1,0 +1,97 @@
+// One submission's result, from OUT/<name>/report.json and graded.json.
+#include "class/table/class_table.h"
+
+#include <jansson.h>
+#include <string.h>
+#include <unistd.h>
+
+static void copy_text(const json_t *object, const char *name, char *to, size_t size)
+{
+    const char *text = json_string_value(json_object_get(object, name));
+    snprintf(to, size, "%s", text ? text : "");
+}
+
+static double number_of(const json_t *object, const char *name)
+{
+    return json_number_value(json_object_get(object, name));
+}
+
+static void read_step(const json_t *json, Student *student)
+{
+    const char *id = json_string_value(json_object_get(json, "id"));
+    const StepInfo *step = id ? step_find(id) : NULL;
+    if (!step)
+        return;
+    size_t i = (size_t)(step - step_table);
+    student->steps[i].there = true;
+    student->steps[i].points = number_of(json, "points");
+    copy_text(json, "status", student->steps[i].status, sizeof student->steps[i].status);
+    copy_text(json, "mistake", student->steps[i].mistake, sizeof student->steps[i].mistake);
+    copy_text(json, "looks_like", student->steps[i].looks_like, sizeof student->steps[i].looks_like);
+    if (step->stage >= 1 && step->stage <= STAGE_COUNT)
+        student->stage_points[step->stage - 1] += student->steps[i].points;
+}
+
+static void read_report(const json_t *report, Student *student)
+{
+    size_t i;
+    json_t *step;
+    json_array_foreach(json_object_get(report, "steps"), i, step) read_step(step, student);
+    student->points = number_of(report, "points");
+    student->points_max = number_of(report, "points_max");
+}
+
+void student_read(const char *directory, const char *name, Student *student)
+{
+    char path[4200];
+    *student = (Student){.name = name, .status = "not graded", .message = "grading did not get this far"};
+    snprintf(path, sizeof path, "%.3000s/%.900s/graded.json", directory, name);
+    json_t *graded = json_load_file(path, 0, NULL);
+    if (!graded)
+        return;
+    copy_text(graded, "status", student->status, sizeof student->status);
+    copy_text(graded, "message", student->message, sizeof student->message);
+    student->seconds = number_of(graded, "seconds");
+    json_decref(graded);
+    snprintf(path, sizeof path, "%.3000s/%.900s/report.json", directory, name);
+    json_t *report = json_load_file(path, 0, NULL);
+    if (report)
+        read_report(report, student);
+    json_decref(report);
+    snprintf(path, sizeof path, "%.3000s/%.900s/index.html", directory, name);
+    student->has_page = access(path, R_OK) == 0;
+}
+
+size_t student_count(const Student *student, const char *status)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        count += strcmp(student->steps[i].status, status) == 0;
+    return count;
+}
+
+void student_set_total(const char *directory, Student *students, size_t count, Student *absent, size_t rows)
+{
+    char path[4200];
+    snprintf(path, sizeof path, "%.4000s/.parts/total/report.json", directory);
+    json_t *report = json_load_file(path, 0, NULL);
+    double total = number_of(report, "points_max");
+    for (size_t i = 0; i < count && !report; i++)
+        total = students[i].points_max > total ? students[i].points_max : total;
+    for (size_t i = 0; i < count; i++)
+        students[i].points_max = total;
+    for (size_t i = 0; i < rows; i++)
+        absent[i].points_max = total;
+    json_decref(report);
+}
+
+void student_mistakes(const Student *student, char *text, size_t size)
+{
+    *text = '\0';
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (*student->steps[i].mistake) {
+            size_t used = strlen(text);
+            snprintf(text + used, size - used, "%s%s: %s", used ? "; " : "", step_table[i].id,
+                     student->steps[i].mistake);
+        }
+}

@@ -1,0 +1,82 @@
+// class_unpack: finds a student's steps in whatever was handed in.
+//
+//   archive or directory ──▶ archive.c / directory.c ──▶ Found: C files in memory ──▶ place.c, choose.c: which ones
+//                                                     count ──▶ write.c ──▶ TO/<stage>/<step>.c
+//
+// Nothing that an archive says about paths, links, owners or rights ever reaches the disk: only names from the step
+// table and plain header names are written.
+#ifndef PHOTONLAB_CLASS_UNPACK_H
+#define PHOTONLAB_CLASS_UNPACK_H
+
+#include "base/error.h"
+#include "steps/steps.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define MOST_ENTRIES   20000u       // files and folders
+#define MOST_UNPACKED  (256u << 20) // bytes, all of an archive
+#define MOST_FILE      (1u << 20)   // bytes of one C file; the judge takes no more
+#define MOST_KEPT      (32u << 20)  // bytes of all C files
+#define MOST_DEPTH     12           // folders in folders
+#define UNPACK_SECONDS 20           // of processor time
+#define NOTE_SIZE      6000
+
+typedef struct {
+    char *path; // below the submission's top
+    char *bytes;
+    size_t size;
+    const char *broken; // "is a link", …: known by its name alone; NULL: its bytes are here
+} FoundFile;
+
+typedef struct {
+    FoundFile *files; // C files, whatever their endings, and links
+    size_t count, kept, entries;
+    char archive[1024]; // in a directory: the only archive in it; "" none
+    size_t archives;
+} Found;
+
+// Is it a file that may be wanted, or should be named when it is not? Hidden files, macOS's second copies and paths with
+// `..` are neither.
+bool found_wants(const char *path);
+bool found_is_archive(const char *name);
+
+// Takes over the bytes. False when the bounds above are passed.
+bool found_add(Found *found, const char *path, char *bytes, size_t size, Error *error);
+bool found_add_broken(Found *found, const char *path, const char *broken, Error *error);
+bool found_count(Found *found, Error *error); // one more entry
+void found_free(Found *found);
+
+bool archive_find(const char *path, Found *found, Error *error);
+bool directory_find(const char *path, Found *found, Error *error);
+
+// Where a file lies: ROOT/<stage's folder>/name, or ROOT/name.
+typedef struct {
+    int folder, root;  // length of the path of its folder, and of ROOT
+    const char *stage; // its folder's name, in step_table; NULL: loose
+    int stage_length;
+    const StepInfo *step; // NULL: a header, say
+    const char *name;
+    bool foreign; // in the framework's own folders: solutions/, tests/, …
+} Place;
+
+Place place_of(const char *path);
+int place_rank(const Place *place, const char *path); // higher: likelier what is meant
+
+// Which file counts for each step.
+typedef struct {
+    const FoundFile *of[STEP_COUNT]; // NULL: none
+    bool started[STEP_COUNT];        // it does not call todo
+    bool foreign_too;                // there was nothing but foreign files
+} Chosen;
+
+bool same_words(const FoundFile *a, const FoundFile *b); // the same but for white space?
+
+// How many steps; −1: nothing to grade; −2: cannot tell which of two files counts.
+int choose_steps(const Found *found, Chosen *chosen, Error *error);
+// What was not taken, and why, in at most `size` bytes.
+void choose_note(const Found *found, const Chosen *chosen, char *note, size_t size);
+// Writes the steps and the headers beside them to `to`, with choose_steps' codes.
+int write_chosen(const Found *found, const Chosen *chosen, const char *to, Error *error);
+
+#endif

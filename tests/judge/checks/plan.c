@@ -1,0 +1,109 @@
+#include "judge/checks/check.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const check_kind_names[CHECK_KINDS] = {"values", "samples", "energy", "invariant", "picture"};
+
+// Running out of memory while planning a few hundred lines: there is nothing to save.
+static void *must(void *memory)
+{
+    if (!memory) {
+        fprintf(stderr, "judge: not enough memory\n");
+        exit(3);
+    }
+    return memory;
+}
+
+static size_t plan_line(Plan *plan, char *line)
+{
+    if (plan->count == plan->room) {
+        plan->room = plan->room ? 2 * plan->room : 64;
+        plan->lines = must(realloc(plan->lines, plan->room * sizeof *plan->lines));
+    }
+    plan->lines[plan->count] = line;
+    return plan->count++;
+}
+
+static uint64_t next_seed(const Plan *plan)
+{
+    return hash_u64(plan->seed + plan->count);
+}
+
+size_t plan_call(Plan *plan, long count, const double *arguments, size_t argument_count)
+{
+    size_t room = 64 + 32 * argument_count;
+    char *line = must(malloc(room));
+    int length = snprintf(line, room, "call %ld %llu", count, (unsigned long long)next_seed(plan));
+    for (size_t i = 0; i < argument_count; i++)
+        length += snprintf(line + length, room - (size_t)length, " %.9g", arguments[i]);
+    return plan_line(plan, line);
+}
+
+size_t plan_paths(Plan *plan, const char *scene, long photons, long batches, int depth, const char *steps_text)
+{
+    size_t room = strlen(scene) + strlen(steps_text) + 128;
+    char *line = must(malloc(room));
+    snprintf(line, room, "paths %s %ld %ld %d %s %llu", scene, photons, batches, depth, steps_text,
+             (unsigned long long)next_seed(plan));
+    return plan_line(plan, line);
+}
+
+size_t plan_picture(Plan *plan, const char *scene, int side, long photons, int k, int depth, const char *steps_text)
+{
+    size_t room = strlen(scene) + strlen(steps_text) + 128;
+    char *line = must(malloc(room));
+    snprintf(line, room, "picture %s %d %d %ld %d %d %s %llu", scene, side, side, photons, k, depth, steps_text,
+             (unsigned long long)next_seed(plan));
+    return plan_line(plan, line);
+}
+
+void finding_fail(Finding *finding, long failing_case, const char *format, ...)
+{
+    if (finding->failed)
+        return;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(finding->message, sizeof finding->message, format, arguments);
+    va_end(arguments);
+    finding->failed = true;
+    finding->failing_case = failing_case;
+}
+
+void finding_p(Finding *finding, double p, long failing_case, const char *format, ...)
+{
+    finding->tests++;
+    if (!(p >= 0.0))
+        p = 0.0; // a statistic that is no number fits no distribution
+    if (p >= finding->p)
+        return;
+    finding->p = p;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(finding->p_message, sizeof finding->p_message, format, arguments);
+    va_end(arguments);
+    if (!finding->failed)
+        finding->failing_case = failing_case;
+}
+
+void finding_feature(Finding *finding, double value, double error)
+{
+    if (finding->feature_count < MOST_FEATURES)
+        finding->features[finding->feature_count++] = (Feature){value, error};
+}
+
+void finding_histogram(Finding *finding, const char *title, double low, double high, const double *observed,
+                       const double *expected, int bins)
+{
+    snprintf(finding->histogram_title, sizeof finding->histogram_title, "%s", title);
+    finding->low = low;
+    finding->high = high;
+    finding->bins = bins < MOST_BINS ? bins : MOST_BINS;
+    for (int i = 0; i < finding->bins; i++) {
+        finding->observed[i] = observed[i];
+        finding->expected[i] = expected[i];
+    }
+}

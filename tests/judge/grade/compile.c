@@ -1,0 +1,140 @@
+// From a step's source to its shared object, in the sandbox.
+#include "base/file.h"
+#include "judge/grade/grade.h"
+#include "judge/grade/object_check.h"
+#include "judge/grade/submission.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define MOST_SOURCE (1u << 20)
+#define MOST_WORDS  64
+
+void step_directory(const GradeOptions *options, const StepInfo *step, char *path, size_t size)
+{
+    snprintf(path, size, "%s/%s", options->work, step->id);
+    mkdir(path, 0755);
+}
+
+// Words of a command line, parted by blanks; `text` is cut up.
+static int split_words(char *text, const char **words, int count)
+{
+    char *rest;
+    for (char *word = strtok_r(text, " ", &rest); word && count < MOST_WORDS - 8; word = strtok_r(NULL, " ", &rest))
+        words[count++] = word;
+    return count;
+}
+
+// Shows paths as the student knows them.
+static void shorten_paths(const char *from, const char *long_name, const char *short_name, char *to, size_t size)
+{
+    size_t used = 0, length = strlen(long_name);
+    while (*from && used + 1 < size) {
+        if (length > 0 && strncmp(from, long_name, length) == 0) {
+            used += (size_t)snprintf(to + used, size - used, "%s", short_name);
+            used = used < size ? used : size - 1;
+            from += length;
+        } else {
+            to[used++] = *from++;
+        }
+    }
+    to[used] = '\0';
+}
+
+typedef struct {
+    char source[4096], object[4096], shared[4096], directory[4000], include[4096], code[4096];
+} Paths;
+
+static bool run_tool(const GradeOptions *options, const Paths *p, const char *const *words, SandboxResult *ran,
+                     Error *error)
+{
+    SandboxRun run = {.arguments = words,
+                      .visible = {p->code, p->include, NULL},
+                      .writable = p->directory,
+                      .result_fd = -1,
+                      .compiler = true,
+                      .cpu_seconds = 30.0 * options->speed,
+                      .wall_seconds = 120.0 * options->speed,
+                      .memory_mb = 1024,
+                      .file_mb = 64};
+    memcpy(run.hidden, options->hidden, sizeof run.hidden);
+    return sandbox_run(options->sandbox, &run, ran, error);
+}
+
+static Status compile(const GradeOptions *options, const Paths *p, StepResult *result)
+{
+    SandboxResult ran;
+    char flags[2048], link_flags[2048], include[4200];
+    const char *words[MOST_WORDS] = {options->compiler};
+    Error error = {""};
+    snprintf(flags, sizeof flags, "%s", options->flags);
+    snprintf(link_flags, sizeof link_flags, "%s", options->link_flags);
+    snprintf(include, sizeof include, "-I%s", p->include);
+    int count = split_words(flags, words, 1);
+    const char *const compile_words[] = {include, "-c", p->source, "-o", p->object, NULL};
+    memcpy(words + count, compile_words, sizeof compile_words);
+    if (!run_tool(options, p, words, &ran, &error)) {
+        snprintf(result->message, sizeof result->message, "the compiler could not be run: %s", error.message);
+        return STATUS_SKIP;
+    }
+    shorten_paths(ran.text, p->code, options->code, result->output, sizeof result->output);
+    result->compiled = strlen(result->output);
+    if (ran.exit_code != 0) {
+        snprintf(result->message, sizeof result->message,
+                 ran.exit_code > 0 ? "it does not compile" : "the compiler did not come to an end");
+        return STATUS_ERROR;
+    }
+    memset(words + 1, 0, sizeof words - sizeof *words);
+    count = split_words(link_flags, words, 1);
+    const char *const link_words[] = {p->object, "-o", p->shared, NULL};
+    memcpy(words + count, link_words, sizeof link_words);
+    if (!run_tool(options, p, words, &ran, &error) || ran.exit_code != 0) {
+        snprintf(result->message, sizeof result->message, "it compiles, but cannot be linked");
+        snprintf(result->output, sizeof result->output, "%.16000s", ran.text);
+        return STATUS_ERROR;
+    }
+    return STATUS_PASS;
+}
+
+// A source must be a file of its own: a link could name anything on the machine.
+static Status find_source(const Paths *p, StepResult *result)
+{
+    struct stat state;
+    if (lstat(p->source, &state) != 0 && errno == ENOENT)
+        return STATUS_TODO;
+    if (!S_ISREG(state.st_mode) || state.st_size > (off_t)MOST_SOURCE) {
+        snprintf(result->message, sizeof result->message, "the source is no plain file of a sensible size");
+        return STATUS_ERROR;
+    }
+    return STATUS_PASS;
+}
+
+Status compile_step(const GradeOptions *options, const StepInfo *step, StepResult *result)
+{
+    Paths p;
+    char absolute[4096];
+    if (!realpath(options->code, absolute)) {
+        snprintf(result->message, sizeof result->message, "no directory %s", options->code);
+        return STATUS_TODO;
+    }
+    snprintf(p.code, sizeof p.code, "%s", absolute);
+    snprintf(p.source, sizeof p.source, "%.3000s/%s.c", absolute, step->file);
+    snprintf(p.include, sizeof p.include, "%s/lib", options->root);
+    step_directory(options, step, p.directory, sizeof p.directory);
+    snprintf(p.object, sizeof p.object, "%s/step.o", p.directory);
+    snprintf(p.shared, sizeof p.shared, "%s/step.so", p.directory);
+    unlink(p.object);
+    unlink(p.shared);
+    Status status = find_source(&p, result);
+    if (status == STATUS_PASS)
+        status = compile(options, &p, result);
+    if (status == STATUS_PASS)
+        status = object_check(options, step, p.source, p.object, result);
+    if (status == STATUS_TODO)
+        submission_note_todo(options, step, p.source, result);
+    return status;
+}

@@ -1,0 +1,248 @@
+#include "judge/grade/crash.h"
+
+#include <seccomp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MOST_PLACES 16
+
+// The probe's last words; tests/judge/probe/probe_watch.c writes them.
+typedef struct {
+    int signal;
+    long long syscall, peak_kb;
+    unsigned long long address;
+    bool stack_overflow;
+    char frames[MOST_PLACES][24];
+    int frame_count;
+    char step[8]; // of several; ""
+} LastWords;
+
+// Where the code was, innermost first.
+typedef struct {
+    char function[128];
+    int line;
+} Place;
+
+static const char *find_last(const char *text, const char *word)
+{
+    const char *last = NULL;
+    for (const char *found = text; (found = strstr(found, word)); found++)
+        last = found;
+    return last;
+}
+
+static unsigned long long number_after(const char *line, size_t length, const char *name, int base)
+{
+    const char *found = strstr(line, name);
+    return found && (size_t)(found - line) < length ? strtoull(found + strlen(name), NULL, base) : 0;
+}
+
+// A student's code can print such a line too; it gains nothing but the wrong words.
+static void read_last_words(const char *text, LastWords *words)
+{
+    *words = (LastWords){.syscall = -1};
+    const char *line = find_last(text, "photonlab-crash signal=");
+    if (!line)
+        return;
+    size_t length = strcspn(line, "\n");
+    words->signal = (int)number_after(line, length, "signal=", 10);
+    words->address = number_after(line, length, "address=", 16);
+    words->peak_kb = (long long)number_after(line, length, "peak_kb=", 10);
+    const char *far = strstr(line, "stack=far"), *call = strstr(line, "syscall="), *frame = strstr(line, "frames=");
+    words->stack_overflow = far && far < line + length;
+    if (call && call < line + length)
+        words->syscall = (long long)number_after(line, length, "syscall=", 10);
+    const char *step = strstr(line, " step=");
+    if (step && step < line + length)
+        snprintf(words->step, sizeof words->step, "%.*s", (int)strspn(step + 6, "0123456789."), step + 6);
+    if (!frame || frame > line + length)
+        return;
+    for (frame += 7; words->frame_count < MOST_PLACES && strncmp(frame, "0x", 2) == 0;) {
+        size_t digits = 2 + strspn(frame + 2, "0123456789abcdef");
+        snprintf(words->frames[words->frame_count++], sizeof words->frames[0], "%.*s", (int)(digits < 20 ? digits : 20),
+                 frame);
+        frame += digits;
+        frame += *frame == ',';
+    }
+}
+
+// addr2line's answer: two lines a place, the function and FILE:LINE.
+static int read_places(const char *text, Place *places)
+{
+    int count = 0;
+    while (count < MOST_PLACES && *text) {
+        size_t name = strcspn(text, ".\n"), first = strcspn(text, "\n");
+        const char *second = text + first + (text[first] == '\n');
+        const char *end = second + strcspn(second, "\n"), *colon = end;
+        while (colon > second && *colon != ':')
+            colon--;
+        places[count] = (Place){.line = *colon == ':' ? atoi(colon + 1) : 0};
+        snprintf(places[count].function, sizeof places[count].function, "%.*s", (int)(name < 100 ? name : 100), text);
+        bool header = colon - second > 2 && strncmp(colon - 2, ".h", 2) == 0; // the library's, built into the step
+        count += text[0] != '?' && !header;
+        text = end + (*end == '\n');
+    }
+    return count;
+}
+
+static int find_places(const GradeOptions *options, const LastWords *words, const char *object, Place *places)
+{
+    const char *arguments[7 + MOST_PLACES] = {"addr2line", "-f", "-i", "-e", object};
+    SandboxRun run = {.arguments = arguments,
+                      .visible = {object},
+                      .result_fd = -1,
+                      .compiler = true,
+                      .cpu_seconds = 10,
+                      .wall_seconds = 30,
+                      .memory_mb = 1024,
+                      .file_mb = 1};
+    SandboxResult *ran = calloc(1, sizeof *ran);
+    for (int i = 0; i < words->frame_count; i++)
+        arguments[5 + i] = words->frames[i];
+    int count = 0;
+    if (ran && words->frame_count > 0 && sandbox_run(options->sandbox, &run, ran, NULL) && ran->exit_code == 0)
+        count = read_places(ran->text, places);
+    free(ran);
+    return count;
+}
+
+static const char *describe_call(long long number)
+{
+    static const struct {
+        const char *names, *words;
+    } calls[] = {
+        {" socket socketpair ", "opening a network connection"},
+        {" fork vfork clone clone3 ", "starting another process or thread"},
+        {" execve execveat ", "starting another program"},
+        {" ptrace process_vm_readv process_vm_writev pidfd_open pidfd_getfd kcmp ", "looking into another process"},
+        {" kill tkill rt_sigqueueinfo rt_tgsigqueueinfo pidfd_send_signal ", "sending a signal to another process"},
+        {" open openat creat mkdir mkdirat mknod mknodat link linkat symlink symlinkat rename renameat renameat2 unlink "
+         "unlinkat rmdir truncate chmod fchmod fchmodat chown fchown fchownat lchown memfd_create ",
+         "writing, making or removing a file"},
+        {" setuid setgid setreuid setregid setresuid setresgid setgroups capset unshare setns chroot mount umount2 ",
+         "becoming another user"},
+    };
+    char *name = seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, (int)number), spaced[80];
+    const char *words = "a system call that a step has no need of";
+    snprintf(spaced, sizeof spaced, " %s ", name ? name : "?");
+    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
+        if (strstr(calls[i].names, spaced))
+            words = calls[i].words;
+    free(name);
+    return words;
+}
+
+static void describe_abort(const char *text, const char *place, char *message, size_t size)
+{
+    const char *assertion = find_last(text, ": Assertion `");
+    if (assertion && strstr(assertion, "' failed"))
+        snprintf(message, size, "the assertion `%.*s` does not hold%s",
+                 (int)(strstr(assertion, "' failed") - assertion - 13), assertion + 13, place);
+    else if (strstr(text, "a step was called that is not there"))
+        snprintf(message, size, "it calls a step%s that it has no need of", place);
+    else if (strstr(text, "stack smashing detected"))
+        snprintf(message, size, "it wrote beyond the end of an array%s", place);
+    else if (strstr(text, "free(): ") || strstr(text, "malloc(): ") || strstr(text, "corrupted"))
+        snprintf(message, size, "it wrote beyond the end of memory that it asked for, or freed some twice%s", place);
+    else
+        snprintf(message, size, "abort() was called%s", place);
+}
+
+static void describe_fault(const LastWords *words, const Place *places, int count, const char *place, char *message,
+                           size_t size)
+{
+    bool again = false;
+    for (int i = 1; i < count; i++)
+        again = again || strcmp(places[i].function, places[0].function) == 0;
+    if (words->stack_overflow && again)
+        snprintf(message, size, "the stack overflowed: %s calls itself without end", places[0].function);
+    else if (words->stack_overflow) // compilers make room for arrays on different lines
+        snprintf(message, size, "the stack overflowed%s%s: a very large array, or calls without end?",
+                 count > 0 ? " in " : "", count > 0 ? places[0].function : "");
+    else
+        snprintf(message, size, "segmentation fault%s: an address that is not yours%s", place,
+                 words->address < 4096 ? " (a null pointer, or an index far beyond an array?)"
+                                       : " (beyond the end of an array?)");
+}
+
+// It ended by itself, but too early.
+static void describe_exit(const SandboxResult *ran, char *message, size_t size)
+{
+    const char *symbol = find_last(ran->text, "undefined symbol: "), *sanitizer = find_last(ran->text, "Sanitizer: ");
+    const char *own = find_last(ran->text, ": case "); // as the probe says that it could not go on
+    if (symbol && ran->exit_code != 0)
+        snprintf(message, size, "it calls `%.*s`, and there is no such function", (int)strcspn(symbol + 18, "\n ("),
+                 symbol + 18);
+    else if (sanitizer && ran->exit_code != 0)
+        snprintf(message, size, "the sanitizer found: %.*s", (int)strcspn(sanitizer + 11, "\n "), sanitizer + 11);
+    else if (own && ran->exit_code == 1)
+        snprintf(message, size, "the probe could not go on: %.*s", (int)strcspn(own + 2, "\n"), own + 2);
+    else
+        snprintf(message, size, "it called exit(%d) before it was done", ran->exit_code);
+}
+
+// Limits as they are for the usual machine, so that the words are the same on a slow one.
+static void describe_signal(const GradeOptions *options, const SandboxResult *ran, const LastWords *words,
+                            const Place *places, int count, char *message, size_t size)
+{
+    int number = words->signal ? words->signal : ran->signal;
+    char place[256] = "", in[160] = "";
+    if (count > 0) {
+        const char *of = words->step[0] ? " of step " : "";
+        snprintf(place, sizeof place, " in %s%s%s, line %d", places[0].function, of, words->step, places[0].line);
+        snprintf(in, sizeof in, ": it was in %s%s%s;", places[0].function, of, words->step);
+    }
+    bool out_of_memory = ran->memory_mb > 0 && words->peak_kb > ran->memory_mb * 1024 / 4 * 3;
+    bool huge = number == SIGSYS && words->syscall == seccomp_syscall_resolve_name("mmap");
+    bool ended_by_clock = ran->timed_out || number == SIGALRM;
+    if (number == SIGXCPU || (ran->signal == SIGKILL && !ended_by_clock && ran->cpu_seconds >= ran->cpu_limit))
+        snprintf(message, size,
+                 "it did not end within %.0f s of processor time%s a loop or a recursion that never ends?",
+                 ran->cpu_limit / options->speed, count > 0 ? in : ":");
+    else if (ended_by_clock)
+        snprintf(message, size, "it did not end within %.0f s%s waiting for something that never comes?",
+                 ran->wall_limit / options->speed, count > 0 ? in : ":");
+    else if (huge || (out_of_memory && number != SIGSYS))
+        snprintf(message, size, "it asked for more memory than the %ld MB there are%s", ran->memory_mb, place);
+    else if (number == SIGSYS)
+        snprintf(message, size, "it tried something that is not allowed here%s: %s", place,
+                 describe_call(words->syscall));
+    else if (number == SIGSEGV || number == SIGBUS)
+        describe_fault(words, places, count, place, message, size);
+    else if (number == SIGABRT)
+        describe_abort(ran->text, place, message, size);
+    else if (number == SIGFPE)
+        snprintf(message, size, "an integer was divided by 0%s", place);
+    else if (number == SIGXFSZ)
+        snprintf(message, size, "it wrote more than there is room for%s", place);
+    else
+        snprintf(message, size, "it came to a place that right code never reaches%s (signal %d)", place, number);
+}
+
+void crash_describe(const GradeOptions *options, const SandboxResult *ran, const char *object, const char *symbol,
+                    StepResult *result)
+{
+    LastWords words;
+    Place places[MOST_PLACES];
+    read_last_words(ran->text, &words);
+    char one_of_several[4096];
+    if (!object) {
+        const StepInfo *step = step_find(words.step);
+        snprintf(one_of_several, sizeof one_of_several, "%s/%s/step.so", options->work, step ? step->id : "none");
+        object = one_of_several;
+    }
+    int count = find_places(options, &words, object, places);
+    if (ran->flooded)
+        snprintf(result->message, sizeof result->message, "it printed more than %u MB", SANDBOX_MOST_PRINTED >> 20);
+    else if (ran->exit_code >= 0)
+        describe_exit(ran, result->message, sizeof result->message);
+    else
+        describe_signal(options, ran, &words, places, count, result->message, sizeof result->message);
+    if (count > 0 && !words.stack_overflow)
+        snprintf(result->where, sizeof result->where, "%s, line %d", places[0].function, places[0].line);
+    else
+        snprintf(result->where, sizeof result->where, "%s", count > 0 ? places[0].function : symbol);
+}

@@ -1,0 +1,12 @@
+// From what the probe left behind to words for the person who wrote the step.
+#ifndef PHOTONLAB_JUDGE_CRASH_H
+#define PHOTONLAB_JUDGE_CRASH_H
+
+#include "judge/grade/grade.h"
+
+// Fills in result->message, where and output for a run that did not get through. `object` NULL: several steps ran, and
+// the probe says in which of them it was.
+void crash_describe(const GradeOptions *options, const SandboxResult *ran, const char *object, const char *symbol,
+                    StepResult *result);
+
+#endif

@@ -1,0 +1,164 @@
+// Names the mistake that a failing step looks like, or none: a wrong name costs a student more than silence.
+#include "judge/grade/diagnosis.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Features differ by chance (ERRORS standard errors: there are hundreds of them), by rounding, and because two people
+// write the same mistake a little differently.
+#define ERRORS   4.5
+#define RELATIVE 0.01
+#define ABSOLUTE 1e-4
+
+// It is named when its worst feature is this many tolerances away at most, and that of the next best, if it has another
+// text, more than that and CLEARLY times as many.
+#define AGREES  1.5
+#define CLEARLY 2.0
+
+void signature_add(Signature *signature, const char *check, Feature feature)
+{
+    if (signature->count == signature->room) {
+        signature->room = signature->room ? 2 * signature->room : 64;
+        NamedFeature *more = realloc(signature->features, (size_t)signature->room * sizeof *more);
+        if (!more)
+            exit(3);
+        signature->features = more;
+    }
+    NamedFeature *next = &signature->features[signature->count++];
+    snprintf(next->check, sizeof next->check, "%s", check);
+    next->feature = feature;
+}
+
+void signature_free(Signature *signature)
+{
+    free(signature->features);
+    *signature = (Signature){.count = 0};
+}
+
+void signature_of(const StepResult *result, Signature *signature)
+{
+    *signature = (Signature){.count = 0};
+    snprintf(signature->step, sizeof signature->step, "%s", result->step->id);
+    for (int i = 0; i < result->check_count; i++) {
+        const CheckResult *check = &result->checks[i];
+        if (check->check->kind == CHECK_PICTURE)
+            continue; // it is calibrated apart from the table
+        for (int f = 0; f < check->finding.feature_count; f++)
+            signature_add(signature, check->check->name, check->finding.features[f]);
+    }
+}
+
+// "density:0.013:0.0004"
+static bool read_feature(char *word, Signature *signature)
+{
+    char *colon = strchr(word, ':');
+    if (!colon)
+        return false;
+    *colon = '\0';
+    char *end;
+    double value = strtod(colon + 1, &end);
+    if (end == colon + 1 || *end != ':')
+        return false;
+    signature_add(signature, word, (Feature){value, strtod(end + 1, NULL)});
+    return true;
+}
+
+bool signature_read(FILE *stream, Signature *signature)
+{
+    static const char blanks[] = " \n";
+    *signature = (Signature){.count = 0};
+    char *line = NULL;
+    size_t room = 0;
+    bool ok = getline(&line, &room, stream) > 0 && sscanf(line, "%7s %63s", signature->step, signature->name) == 2 &&
+              getline(&line, &room, stream) > 0;
+    if (ok) {
+        line[strcspn(line, "\n")] = '\0';
+        snprintf(signature->text, sizeof signature->text, "%s", line);
+        ok = getline(&line, &room, stream) > 0;
+    }
+    for (char *rest = ok ? line + strspn(line, blanks) : NULL; ok && *rest;) {
+        char *word = rest;
+        rest += strcspn(rest, blanks);
+        if (*rest)
+            *rest++ = '\0';
+        rest += strspn(rest, blanks);
+        ok = read_feature(word, signature);
+    }
+    free(line);
+    if (!ok)
+        signature_free(signature);
+    return ok;
+}
+
+static double feature_distance(const Feature *a, const Feature *b)
+{
+    if (isnan(a->value) || isnan(b->value))
+        return isnan(a->value) && isnan(b->value) ? 0.0 : INFINITY;
+    if (isinf(a->value) || isinf(b->value))
+        return a->value == b->value ? 0.0 : INFINITY;
+    // The table's errors are those of one grading, seen from several: they stand in for what a check does not state.
+    double of_a = isfinite(a->error) ? a->error : 0.0, of_b = isfinite(b->error) ? b->error : 0.0;
+    double chance = ERRORS * fmax(of_a, of_b) * 1.1;
+    double tolerance = chance + RELATIVE * fmax(fabs(a->value), fabs(b->value)) + ABSOLUTE;
+    return fabs(a->value - b->value) / tolerance;
+}
+
+double signature_distance(const Signature *a, const Signature *b)
+{
+    if (a->count != b->count)
+        return INFINITY; // one of them left a check early
+    double worst = 0.0;
+    for (int i = 0; i < a->count; i++) {
+        if (strcmp(a->features[i].check, b->features[i].check) != 0)
+            return INFINITY;
+        worst = fmax(worst, feature_distance(&a->features[i].feature, &b->features[i].feature));
+    }
+    return worst;
+}
+
+typedef struct {
+    Signature best;
+    double distance, next; // of the best, and of the best with another text
+} Ranking;
+
+// Takes the known one over or frees it.
+static void rank(Ranking *ranking, Signature *known, double distance)
+{
+    bool same = strcmp(known->text, ranking->best.text) == 0; // several ways to make one mistake
+    if (!(distance < ranking->distance)) {
+        if (!same)
+            ranking->next = fmin(ranking->next, distance);
+        signature_free(known);
+        return;
+    }
+    if (!same)
+        ranking->next = ranking->distance;
+    signature_free(&ranking->best);
+    ranking->best = *known;
+    ranking->distance = distance;
+}
+
+void diagnose(const GradeOptions *options, StepResult *result)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/tests/mistakes/features.txt", options->root);
+    FILE *stream = fopen(path, "r");
+    if (!stream)
+        return;
+    Signature found, known;
+    Ranking ranking = {.best = {.count = 0}, .distance = INFINITY, .next = INFINITY};
+    signature_of(result, &found);
+    while (signature_read(stream, &known)) {
+        bool here = strcmp(known.step, found.step) == 0;
+        rank(&ranking, &known, here ? signature_distance(&found, &known) : INFINITY);
+    }
+    fclose(stream);
+    if (ranking.distance <= AGREES && ranking.next > AGREES && ranking.next >= CLEARLY * ranking.distance &&
+        strcmp(ranking.best.name, "right") != 0) {
+        snprintf(result->mistake, sizeof result->mistake, "%s", ranking.best.name);
+        snprintf(result->looks_like, sizeof result->looks_like, "%s", ranking.best.text);
+    }
+    signature_free(&ranking.best);
+    signature_free(&found);
+}

@@ -1,0 +1,255 @@
+#include "judge/grade/grade.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const status_names[] = {"pass", "fail", "error", "todo", "skip"};
+
+#define STEP_LEVEL 1e-3 // chance that a right step fails its statistical checks in the first round
+
+const StepChecks *checks_of(const char *id)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (strcmp(step_checks[i].id, id) == 0)
+            return &step_checks[i];
+    return NULL;
+}
+
+static uint64_t hash_text(uint64_t hash, const char *text)
+{
+    for (; *text; text++)
+        hash = hash_u64(hash ^ (uint64_t)(unsigned char)*text);
+    return hash_u64(hash);
+}
+
+// One round's random numbers belong to salt, step, check and round alone, so that a regrade gives the same verdict.
+static uint64_t seed_of(const GradeOptions *options, const char *id, const Check *check, int round)
+{
+    uint64_t hash = hash_text(0, options->salt);
+    hash = hash_text(hash, id);
+    hash = hash_text(hash, check->name);
+    return hash_u64(hash + (uint64_t)round);
+}
+
+// The cases of all checks that run together, and where each check's begin.
+typedef struct {
+    char **lines;
+    size_t count, first[MOST_CHECKS], of[MOST_CHECKS];
+} Cases;
+
+static void cases_free(Cases *cases)
+{
+    for (size_t i = 0; i < cases->count; i++)
+        free(cases->lines[i]);
+    free(cases->lines);
+}
+
+static void plan_checks(const GradeOptions *options, const StepChecks *checks, bool scene, int round, Cases *cases)
+{
+    *cases = (Cases){NULL, 0, {0}, {0}};
+    for (int i = 0; i < *checks->count; i++) {
+        const Check *check = &checks->checks[i];
+        if (check->scene != scene)
+            continue;
+        Plan plan = {.seed = seed_of(options, checks->id, check, round)};
+        check->plan(&plan);
+        char **lines = realloc(cases->lines, (cases->count + plan.count + 1) * sizeof *lines);
+        if (!lines)
+            exit(3);
+        cases->lines = lines;
+        if (plan.count > 0)
+            memcpy(lines + cases->count, plan.lines, plan.count * sizeof *lines);
+        free(plan.lines);
+        cases->first[i] = cases->count;
+        cases->of[i] = plan.count;
+        cases->count += plan.count;
+    }
+}
+
+static int statistical_checks(const StepChecks *checks)
+{
+    int count = 0;
+    for (int i = 0; i < *checks->count; i++)
+        count += checks->checks[i].kind == CHECK_SAMPLES || checks->checks[i].kind == CHECK_ENERGY;
+    return count > 0 ? count : 1;
+}
+
+static double threshold_of(const StepChecks *checks, const Check *check, const Finding *finding)
+{
+    double level =
+        check->kind == CHECK_PICTURE ? 1e-9 : STEP_LEVEL / statistical_checks(checks); // a picture's p is 0 or 1
+    return level / (finding->tests > 0 ? finding->tests : 1);
+}
+
+static void judge_check(const StepChecks *checks, int i, Results results, CheckResult *result)
+{
+    const Check *check = &checks->checks[i];
+    image_free(&result->finding.yours);
+    image_free(&result->finding.reference);
+    *result = (CheckResult){.check = check, .finding = {.p = 1.0, .failing_case = -1}};
+    check->judge(&results, &result->finding);
+    result->threshold = threshold_of(checks, check, &result->finding);
+    result->status = result->finding.failed || result->finding.p < result->threshold ? STATUS_FAIL : STATUS_PASS;
+}
+
+// Remembers the first case that went wrong.
+static void note_failing(StepResult *result, bool scene, long number)
+{
+    if (result->failing_cases || number < 0)
+        return;
+    result->failing_cases = scene ? "scenes.txt" : "calls.txt";
+    result->failing_case = number;
+}
+
+// Runs and judges the checks of one kind (called alone or in scenes). STATUS_ERROR: the code did not get through.
+static Status run_checks(const GradeOptions *options, const StepChecks *checks, bool scene, int round,
+                         StepResult *result)
+{
+    Cases cases;
+    plan_checks(options, checks, scene, round, &cases);
+    Numbers *numbers = calloc(cases.count + 1, sizeof *numbers);
+    float *storage = NULL;
+    long crashed = -1;
+    Status status = STATUS_PASS;
+    if (cases.count > 0)
+        status = run_probe(options, result->step, scene, cases.lines, cases.count, numbers, &storage, &crashed, result);
+    for (int i = 0; i < *checks->count; i++) {
+        if (checks->checks[i].scene != scene)
+            continue;
+        CheckResult *check = &result->checks[i];
+        bool complete = status == STATUS_PASS || (long)(cases.first[i] + cases.of[i]) <= crashed;
+        if (complete) {
+            uint64_t seed = seed_of(options, checks->id, &checks->checks[i], round);
+            judge_check(checks, i, (Results){numbers + cases.first[i], cases.of[i], seed}, check);
+            if (check->status == STATUS_FAIL && check->finding.failing_case >= 0)
+                note_failing(result, scene, (long)cases.first[i] + check->finding.failing_case);
+        } else {
+            bool reached = (long)cases.first[i] <= crashed;
+            *check =
+                (CheckResult){.check = &checks->checks[i],
+                              .status = reached ? STATUS_ERROR : STATUS_SKIP,
+                              .finding = {.p = 1.0, .failing_case = reached ? crashed - (long)cases.first[i] : -1}};
+        }
+    }
+    if (status == STATUS_ERROR)
+        note_failing(result, scene, crashed);
+    free(numbers);
+    free(storage);
+    cases_free(&cases);
+    return status;
+}
+
+// Some check found what right code never does, whatever its random numbers.
+static bool fails_for_certain(const StepResult *result)
+{
+    for (int i = 0; i < result->check_count; i++)
+        if (result->checks[i].finding.failed && result->checks[i].check->kind != CHECK_PICTURE)
+            return true;
+    return false;
+}
+
+// A failure by chance alone is confirmed on fresh random numbers before it is one.
+static bool needs_confirmation(const StepResult *result)
+{
+    bool chance = false;
+    if (fails_for_certain(result))
+        return false;
+    for (int i = 0; i < result->check_count; i++)
+        chance = chance || (result->checks[i].status == STATUS_FAIL && !result->checks[i].finding.failed);
+    return chance;
+}
+
+static Status confirm(const GradeOptions *options, const StepChecks *checks, StepResult *result)
+{
+    StepResult *again = calloc(1, sizeof *again);
+    if (!again)
+        exit(3);
+    again->step = result->step;
+    again->check_count = result->check_count;
+    again->compiled = result->compiled;
+    memcpy(again->output, result->output, result->compiled);
+    Status status = run_checks(options, checks, false, 1, again);
+    if (status == STATUS_PASS)
+        status = run_checks(options, checks, true, 1, again);
+    for (int i = 0; status == STATUS_PASS && i < *checks->count; i++) {
+        CheckResult *first = &result->checks[i];
+        if (first->status == STATUS_FAIL && !first->finding.failed && again->checks[i].status == STATUS_PASS)
+            first->status = STATUS_PASS;
+    }
+    if (status != STATUS_PASS) {
+        memcpy(result->message, again->message, sizeof result->message);
+        memcpy(result->where, again->where, sizeof result->where);
+        memcpy(result->output, again->output, sizeof result->output);
+    }
+    step_result_free(again);
+    free(again);
+    return status;
+}
+
+// The first failure's words stand for the step: checks go from what is simple to what is not.
+static void sum_up(StepResult *result)
+{
+    for (int i = 0; i < result->check_count; i++) {
+        const CheckResult *check = &result->checks[i];
+        if (check->status != STATUS_FAIL || result->status == STATUS_FAIL)
+            continue;
+        result->status = STATUS_FAIL;
+        const Finding *finding = &check->finding;
+        snprintf(result->message, sizeof result->message, "%s",
+                 finding->failed ? finding->message : finding->p_message);
+    }
+}
+
+// For `make debug`: one line, the file of cases and the number of the one that failed.
+static void write_failing(const GradeOptions *options, const StepResult *result)
+{
+    char directory[4000], path[4096];
+    step_directory(options, result->step, directory, sizeof directory);
+    snprintf(path, sizeof path, "%s/failing", directory);
+    FILE *stream = fopen(path, "w");
+    if (!stream)
+        return; // only a convenience
+    if (result->failing_cases && (result->status == STATUS_FAIL || result->status == STATUS_ERROR))
+        fprintf(stream, "%s %ld %s\n", result->failing_cases, result->failing_case, status_names[result->status]);
+    fclose(stream);
+}
+
+void grade_step(const GradeOptions *options, const StepInfo *step, StepResult *result)
+{
+    double start = clock_seconds();
+    *result = (StepResult){.step = step};
+    const StepChecks *checks = checks_of(step->id);
+    result->check_count = *checks->count;
+    for (int i = 0; i < *checks->count; i++)
+        result->checks[i] = (CheckResult){.check = &checks->checks[i], .status = STATUS_SKIP, .finding = {.p = 1.0}};
+    result->status = *checks->count > 0 ? compile_step(options, step, result) : STATUS_SKIP;
+    result->playable = result->status == STATUS_PASS;
+    if (options->compile_only)
+        return;
+    if (result->status == STATUS_PASS)
+        result->status = run_checks(options, checks, false, 0, result);
+    if (result->status == STATUS_PASS)
+        result->status = run_checks(options, checks, true, 0, result);
+    if (result->status == STATUS_ERROR && fails_for_certain(result)) {
+        result->status = STATUS_PASS; // a wrong value tells more than the crash that it led to
+        result->where[0] = '\0';
+    }
+    if (result->status == STATUS_PASS && !options->first_round_only && needs_confirmation(result))
+        result->status = confirm(options, checks, result);
+    if (result->status == STATUS_PASS)
+        sum_up(result);
+    if (result->status == STATUS_FAIL)
+        diagnose(options, result);
+    write_failing(options, result);
+    result->seconds = clock_seconds() - start;
+}
+
+void step_result_free(StepResult *result)
+{
+    for (int i = 0; i < result->check_count; i++) {
+        image_free(&result->checks[i].finding.yours);
+        image_free(&result->checks[i].finding.reference);
+    }
+}

@@ -1,0 +1,252 @@
+#include "judge/grade/object_check.h"
+#include "base/file.h"
+#include "judge/grade/object_file.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define RANDOM  "use rng_float(rng): %s() gives other numbers on every thread and machine"
+#define PROCESS "%s() has no place in a step: it computes, and leaves the rest of the machine alone"
+#define LOADER  "%s() has no place in a step: other steps are called through the table, as steps.reflect(…)"
+#define THREADS "%s() has no place in a step: the program runs it on several threads already"
+#define RUNTIME "%s() has no place in a step: when it is done it returns"
+
+static const struct {
+    const char *name, *words;
+} forbidden[] = {
+    {"rand", RANDOM},
+    {"srand", RANDOM},
+    {"rand_r", RANDOM},
+    {"random", RANDOM},
+    {"srandom", RANDOM},
+    {"random_r", RANDOM},
+    {"drand48", RANDOM},
+    {"erand48", RANDOM},
+    {"lrand48", RANDOM},
+    {"srand48", RANDOM},
+    {"arc4random", RANDOM},
+    {"arc4random_uniform", RANDOM},
+    {"getrandom", RANDOM},
+    {"getentropy", RANDOM},
+    {"system", PROCESS},
+    {"popen", PROCESS},
+    {"fork", PROCESS},
+    {"vfork", PROCESS},
+    {"clone", PROCESS},
+    {"execl", PROCESS},
+    {"execlp", PROCESS},
+    {"execle", PROCESS},
+    {"execv", PROCESS},
+    {"execvp", PROCESS},
+    {"execve", PROCESS},
+    {"execvpe", PROCESS},
+    {"fexecve", PROCESS},
+    {"posix_spawn", PROCESS},
+    {"posix_spawnp", PROCESS},
+    {"socket", PROCESS},
+    {"socketpair", PROCESS},
+    {"connect", PROCESS},
+    {"getaddrinfo", PROCESS},
+    {"ptrace", PROCESS},
+    {"kill", PROCESS},
+    {"killpg", PROCESS},
+    {"process_vm_readv", PROCESS},
+    {"process_vm_writev", PROCESS},
+    {"setenv", PROCESS},
+    {"putenv", PROCESS},
+    {"signal", PROCESS},
+    {"sigaction", PROCESS},
+    {"syscall", PROCESS},
+    {"mount", PROCESS},
+    {"dlopen", LOADER},
+    {"dlmopen", LOADER},
+    {"dlsym", LOADER},
+    {"dlvsym", LOADER},
+    {"dladdr", LOADER},
+    {"dl_iterate_phdr", LOADER},
+    {"pthread_create", THREADS},
+    {"thrd_create", THREADS},
+    {"GOMP_parallel", THREADS},
+    {"__kmpc_fork_call", THREADS},
+    {"atexit", RUNTIME},
+    {"on_exit", RUNTIME},
+    {"longjmp", RUNTIME},
+    {"siglongjmp", RUNTIME},
+};
+
+static bool is_word(char c)
+{
+    return isalnum((unsigned char)c) || c == '_';
+}
+
+// The line where a name first stands in the source, comments aside; 0: nowhere.
+static int find_line(const char *source, const char *name)
+{
+    size_t length = strlen(name);
+    int line = 1;
+    for (const char *c = source; *c; c++) {
+        if (c[0] == '/' && c[1] == '/') {
+            c += strcspn(c, "\n") - 1;
+        } else if (c[0] == '/' && c[1] == '*') {
+            for (c += 2; *c && !(c[0] == '*' && c[1] == '/'); c++)
+                line += *c == '\n';
+            if (!*c)
+                return 0;
+        } else if (strncmp(c, name, length) == 0 && !is_word(c[length]) && (c == source || !is_word(c[-1]))) {
+            return line;
+        }
+        line += *c == '\n';
+    }
+    return 0;
+}
+
+static void say_where(const StepInfo *step, int line, StepResult *result)
+{
+    snprintf(result->where, sizeof result->where, line > 0 ? "%s, line %d" : "%s", step->symbol, line);
+}
+
+static bool names(const ObjectFile *object, SymbolKind kind, const char *name)
+{
+    for (size_t i = 0; i < object->count; i++)
+        if (object->symbols[i].kind == kind && strcmp(object->symbols[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+static bool check_forbidden(const ObjectFile *object, const StepInfo *step, const char *source, StepResult *result)
+{
+    for (size_t i = 0; i < sizeof forbidden / sizeof *forbidden; i++) {
+        if (!names(object, SYMBOL_WANTED, forbidden[i].name))
+            continue;
+        const char *blank = strstr(forbidden[i].words, "%s");
+        snprintf(result->message, sizeof result->message, "%.*s%s%s", (int)(blank - forbidden[i].words),
+                 forbidden[i].words, forbidden[i].name, blank + 2);
+        say_where(step, find_line(source, forbidden[i].name), result);
+        return false;
+    }
+    return true;
+}
+
+// gcc calls a function's own variable `count.0`, clang `reflect.count`; the student `count`.
+static void own_name(const char *symbol, char *name, size_t size)
+{
+    snprintf(name, size, "%s", symbol);
+    for (const char *part = symbol; *part;) {
+        size_t length = strcspn(part, ".");
+        if (strspn(part, "0123456789") < length)
+            snprintf(name, size, "%.*s", (int)length, part);
+        part += length + (part[length] == '.');
+    }
+}
+
+// Compilers order their symbols differently: the one that comes first in the source is named.
+static bool check_variables(const ObjectFile *object, const StepInfo *step, const char *source, StepResult *result)
+{
+    char best[128] = "";
+    int best_line = 0;
+    for (size_t i = 0; i < object->count; i++) {
+        char name[128];
+        if (object->symbols[i].kind != SYMBOL_VARIABLE)
+            continue;
+        own_name(object->symbols[i].name, name, sizeof name);
+        int line = find_line(source, name);
+        bool earlier = line > 0 && (best_line == 0 || line < best_line);
+        if (!best[0] || earlier || (line == best_line && strcmp(name, best) < 0)) {
+            snprintf(best, sizeof best, "%s", name);
+            best_line = line;
+        }
+    }
+    if (!best[0] && !object->keeps_data)
+        return true;
+    snprintf(
+        result->message, sizeof result->message,
+        "it has a variable that lives between calls%s%s%s; steps run on several threads, which would share it. If it "
+        "never changes, write `const` before it; otherwise move it into the function",
+        best[0] ? ", `" : "", best, best[0] ? "`" : "");
+    say_where(step, best_line, result);
+    return false;
+}
+
+// Letters to change, add or leave out, to make one of the other.
+static int distance(const char *a, const char *b)
+{
+    int row[130];
+    int width = (int)strlen(b);
+    for (int j = 0; j <= width; j++)
+        row[j] = j;
+    for (int i = 0; a[i]; i++) {
+        int corner = row[0];
+        row[0] = i + 1;
+        for (int j = 1; j <= width; j++) {
+            int change = corner + (tolower((unsigned char)a[i]) != tolower((unsigned char)b[j - 1]));
+            corner = row[j];
+            int shift = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
+            row[j] = change < shift ? change : shift;
+        }
+    }
+    return row[width];
+}
+
+static bool check_function(const ObjectFile *object, const StepInfo *step, StepResult *result)
+{
+    if (names(object, SYMBOL_FUNCTION, step->symbol))
+        return true;
+    const char *near = NULL;
+    int nearest = 4;
+    for (size_t i = 0; i < object->count; i++) {
+        const ObjectSymbol *symbol = &object->symbols[i];
+        bool function = symbol->kind == SYMBOL_FUNCTION || symbol->kind == SYMBOL_PRIVATE;
+        if (function && distance(symbol->name, step->symbol) < nearest) {
+            nearest = distance(symbol->name, step->symbol);
+            near = symbol->name;
+        }
+    }
+    int used = snprintf(result->message, sizeof result->message, "there is no function `%s` in it", step->symbol);
+    if (names(object, SYMBOL_PRIVATE, step->symbol))
+        snprintf(result->message, sizeof result->message, "`%s` is static, so nobody can call it: take that word away",
+                 step->symbol);
+    else if (near)
+        snprintf(result->message + used, sizeof result->message - (size_t)used, "; is `%s` meant?", near);
+    return false;
+}
+
+static Status check_all(const GradeOptions *options, const StepInfo *step, const ObjectFile *object, const char *source,
+                        StepResult *result)
+{
+    if (names(object, SYMBOL_WANTED, "photonlab_step_not_started"))
+        return STATUS_TODO;
+    say_where(step, 0, result);
+    if (!check_function(object, step, result) || !check_forbidden(object, step, source, result))
+        return STATUS_ERROR;
+    // Sanitizers bring variables and constructors of their own.
+    if (strstr(options->flags, "-fsanitize"))
+        return STATUS_PASS;
+    if (object->runs_at_load) {
+        snprintf(result->message, sizeof result->message,
+                 "it has code that runs before anyone calls it (a constructor)");
+        return STATUS_ERROR;
+    }
+    if (!check_variables(object, step, source, result))
+        return STATUS_ERROR;
+    result->where[0] = '\0';
+    return STATUS_PASS;
+}
+
+Status object_check(const GradeOptions *options, const StepInfo *step, const char *source, const char *object,
+                    StepResult *result)
+{
+    ObjectFile file;
+    Error error = {""};
+    size_t size;
+    if (!object_read(object, &file, &error)) {
+        snprintf(result->message, sizeof result->message, "%s", error.message);
+        return STATUS_ERROR;
+    }
+    char *text = file_read(source, 1u << 20, &size, &error);
+    Status status = check_all(options, step, &file, text ? text : "", result);
+    free(text);
+    object_free(&file);
+    return status;
+}

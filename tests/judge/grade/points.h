@@ -1,0 +1,20 @@
+// The points table: what each step is worth. A teacher edits tests/judge/points.txt; its comments tell how.
+#ifndef PHOTONLAB_JUDGE_POINTS_H
+#define PHOTONLAB_JUDGE_POINTS_H
+
+#include "judge/grade/grade.h"
+
+typedef struct {
+    double points[STEP_COUNT]; // in the order of step_table; their sum is `total`
+    bool hidden[STEP_COUNT];
+    char due[STEP_COUNT][16]; // "2026-12-01" or empty
+    double picture_share;     // of a step's points: what hangs on its picture alone, 0…1
+} PointsTable;
+
+// False with "file:line: …" in the error.
+bool points_read(const char *path, PointsTable *table, Error *error);
+
+// Fills in result->points, points_max, hidden and due from the statuses.
+void points_give(const PointsTable *table, StepResult *result);
+
+#endif

@@ -1,0 +1,79 @@
+// The probe's run on a step's cases: what of the others' work it may see, and what the student is told.
+#include "judge/grade/crash.h"
+#include "judge/grade/probe_job.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_listed(const char *list, const char *id)
+{
+    const char *found = list ? strstr(list, id) : NULL;
+    return found != NULL;
+}
+
+// Which solutions may be in the probe's sight: never the step's own, nor one that does the same work.
+static bool is_visible(const StepChecks *checks, const StepInfo *step, const StepInfo *other, bool scene)
+{
+    if (other == step || is_listed(checks->twins, other->id))
+        return false;
+    return scene || is_listed(checks->needs, other->id);
+}
+
+// What the student's code printed: all but the line that the probe leaves when it crashes.
+static void copy_printed(const char *text, char *output, size_t size)
+{
+    size_t used = 0;
+    for (const char *line = text; *line && used + 1 < size;) {
+        size_t length = strcspn(line, "\n");
+        bool ours = strncmp(line, "photonlab-crash ", 16) == 0;
+        size_t whole = length + (line[length] == '\n');
+        size_t copied = whole < size - 1 - used ? whole : size - 1 - used;
+        if (!ours && (used > 0 || length > 0)) { // no empty lines at the beginning
+            memcpy(output + used, line, copied);
+            used += copied;
+        }
+        line += whole;
+    }
+    output[used] = '\0';
+}
+
+static void make_job(const GradeOptions *options, const StepInfo *step, bool scene, const char *directory,
+                     const char *object, ProbeJob *job)
+{
+    probe_job_start(options, directory, scene ? "scenes.txt" : "calls.txt", job);
+    const char *const words[] = {"--step", step->id, "--object", object};
+    probe_job_words(job, words, 4);
+    probe_job_show(job, "%s", object);
+    if (scene)
+        probe_job_show(job, "%s/tests/steps/scenes", options->root);
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (is_visible(checks_of(step->id), step, &step_table[i], scene))
+            probe_job_show(job, "%s/solutions/%s.so", options->build, step_table[i].file);
+}
+
+Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, char *const *lines, size_t count,
+                 Numbers *numbers, float **storage, long *crashed_case, StepResult *result)
+{
+    char directory[4000], object[4096];
+    step_directory(options, step, directory, sizeof directory);
+    snprintf(object, sizeof object, "%s/step.so", directory);
+    ProbeJob *job = malloc(sizeof *job);
+    ProbeRun *ran = malloc(sizeof *ran);
+    if (!job || !ran)
+        exit(3);
+    make_job(options, step, scene, directory, object, job);
+    Status status = probe_job_run(options, job, step->id, lines, count, numbers, ran);
+    *storage = ran->storage;
+    if (*ran->message)
+        snprintf(result->message, sizeof result->message, "%s", ran->message);
+    if (status != STATUS_SKIP) {
+        *crashed_case = (long)ran->whole;
+        copy_printed(ran->sandbox.text, result->output + result->compiled, sizeof result->output - result->compiled);
+    }
+    if (status == STATUS_ERROR && !ran->forged)
+        crash_describe(options, &ran->sandbox, object, step->symbol, result);
+    free(job);
+    free(ran);
+    return status;
+}

@@ -1,0 +1,104 @@
+#include "judge/grade/submission.h"
+#include "base/file.h"
+
+#include <ctype.h>
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Is this a step's source, as a path from the submission's folder?
+static bool is_step_file(const char *path)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        size_t length = strlen(step_table[i].file);
+        if (strncmp(path, step_table[i].file, length) == 0 && strcmp(path + length, ".c") == 0)
+            return true;
+    }
+    return false;
+}
+
+// Names the step that a file of this name would be, were it in its place.
+static void say_misplaced(const char *code, const char *path)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    size_t length = strlen(name);
+    if (length < 3 || strcmp(name + length - 2, ".c") != 0 || is_step_file(path))
+        return;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (strncmp(name, step_table[i].id, strlen(step_table[i].id)) == 0)
+            fprintf(stderr, "── %s/%s is not graded: step %s is looked for in %s/%s.c\n", code, path, step_table[i].id,
+                    code, step_table[i].file);
+}
+
+static void look_into(const char *code, const char *folder)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s%s%s", code, *folder ? "/" : "", folder);
+    DIR *directory = opendir(path);
+    if (!directory)
+        return;
+    for (struct dirent *entry; (entry = readdir(directory));) {
+        snprintf(path, sizeof path, "%s%s%s", folder, *folder ? "/" : "", entry->d_name);
+        if (entry->d_name[0] == '.')
+            continue;
+        if (!*folder)
+            look_into(code, entry->d_name);
+        say_misplaced(code, path);
+    }
+    closedir(directory);
+}
+
+bool submission_look_over(const char *code, Error *error)
+{
+    DIR *directory = opendir(code);
+    if (!directory)
+        return error_set(error, "%s: %s; expected a folder laid out like exercises/", code, strerror(errno));
+    closedir(directory);
+    look_into(code, "");
+    return true;
+}
+
+// The same but for white space?
+static bool same_words(const char *a, const char *b)
+{
+    for (;; a++, b++) {
+        while (isspace((unsigned char)*a))
+            a++;
+        while (isspace((unsigned char)*b))
+            b++;
+        if (*a != *b)
+            return false;
+        if (!*a)
+            return true;
+    }
+}
+
+// The line that calls todo; comments are not looked at more closely than that.
+static int line_of_todo(const char *text)
+{
+    const char *found = strstr(text, "todo(");
+    int line = 1;
+    for (const char *c = text; found && c < found; c++)
+        line += *c == '\n';
+    return found ? line : 0;
+}
+
+void submission_note_todo(const GradeOptions *options, const StepInfo *step, const char *source, StepResult *result)
+{
+    char path[4200];
+    size_t size;
+    Error ignored = {""};
+    snprintf(path, sizeof path, "%s/exercises/.stubs/%s.c", options->root, step->file);
+    char *stub = file_read(path, 1u << 20, &size, &ignored);
+    char *text = file_read(source, 1u << 20, &size, &ignored);
+    int line = text ? line_of_todo(text) : 0;
+    if (stub && text && line > 0 && !same_words(stub, text))
+        snprintf(result->message, sizeof result->message,
+                 "there is code of yours, but line %d still calls todo(), which says that it is not started: take that "
+                 "line away",
+                 line);
+    free(stub);
+    free(text);
+}

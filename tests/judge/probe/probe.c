@@ -1,0 +1,284 @@
+#include "judge/probe/probe.h"
+#include "cli/cli.h"
+#include "judge/probe/probe_sizes.h"
+#include "base/file.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char help[] =
+    "usage: photonlab probe --step ID --object STEP.so --references DIR CASES [-o OUT | --fd N]\n"
+    "       photonlab probe --several LIST --objects DIR --references DIR CASES [-o OUT | --fd N]\n"
+    "\n"
+    "Runs one step on given cases and writes what it gave, as numbers. What `make test` and `make debug` call; tests/judge/probe/probe.h\n"
+    "describes both files.\n"
+    "\n"
+    "  --step ID          which step, e.g. 2.1\n"
+    "  --object FILE      the step's shared object\n"
+    "  --several LIST     several steps together, parted by commas (none: the references play all); for cases in scenes\n"
+    "  --objects DIR      their shared objects: DIR/2.1/step.so\n"
+    "  --references DIR   solutions for the other steps, laid out like build/solutions\n"
+    "  --root DIR         where the cases' scenes are looked for (the working directory)\n"
+    "  -o FILE            where to write; or\n"
+    "  --fd N             an open file descriptor to write to\n"
+    "  --only N           run case N alone (from 0)\n"
+    "  --print            print the numbers as text on standard output as well\n";
+
+#define MOST_CASE_BYTES (16u << 20)
+
+typedef struct {
+    const char *step, *object, *several, *objects, *references, *root, *out, *cases;
+    int fd, only;
+    bool print;
+} Arguments;
+
+void probe_put(ProbeOutput *output, float value)
+{
+    if (output->count == output->room) {
+        size_t room = output->room ? 2 * output->room : 1024;
+        float *values = realloc(output->values, room * sizeof *values);
+        output->out_of_memory = output->out_of_memory || !values;
+        if (!values)
+            return;
+        output->values = values;
+        output->room = room;
+    }
+    output->values[output->count++] = value;
+}
+
+void probe_put_vec3(ProbeOutput *output, Vec3 v)
+{
+    probe_put(output, v.x);
+    probe_put(output, v.y);
+    probe_put(output, v.z);
+}
+
+void probe_put_colour(ProbeOutput *output, Colour c)
+{
+    probe_put(output, c.r);
+    probe_put(output, c.g);
+    probe_put(output, c.b);
+}
+
+const char *probe_word(ProbeLine *line)
+{
+    char *word = line->rest + strspn(line->rest, " ");
+    size_t length = strcspn(word, " ");
+    line->broken = line->broken || length == 0;
+    line->rest = word + length + (word[length] != '\0');
+    word[length] = '\0';
+    return word;
+}
+
+double probe_number(ProbeLine *line)
+{
+    const char *word = probe_word(line);
+    char *end;
+    double value = strtod(word, &end);
+    line->broken = line->broken || end == word || *end;
+    return value;
+}
+
+long probe_whole(ProbeLine *line, long low, long high)
+{
+    const char *word = probe_word(line);
+    char *end;
+    errno = 0;
+    long value = strtol(word, &end, 10);
+    line->broken = line->broken || end == word || *end || errno || value < low || value > high;
+    return value;
+}
+
+uint64_t probe_seed(ProbeLine *line)
+{
+    const char *word = probe_word(line);
+    char *end;
+    errno = 0;
+    uint64_t value = strtoull(word, &end, 10);
+    line->broken = line->broken || end == word || *end || errno;
+    return value;
+}
+
+Vec3 probe_vec3(ProbeLine *line)
+{
+    float x = (float)probe_number(line);
+    float y = (float)probe_number(line);
+    float z = (float)probe_number(line);
+    return vec3(x, y, z);
+}
+
+Colour probe_colour(ProbeLine *line)
+{
+    Vec3 v = probe_vec3(line);
+    return colour(v.x, v.y, v.z);
+}
+
+bool probe_at_end(ProbeLine *line)
+{
+    return line->rest[strspn(line->rest, " ")] == '\0';
+}
+
+static const char *scene_root = ".";
+
+Scene *probe_scene(const char *path, Error *error)
+{
+    char whole[4096];
+    snprintf(whole, sizeof whole, "%s/%s", scene_root, path);
+    return scene_load(path[0] == '/' ? path : whole, error);
+}
+
+static bool run_case(const StepInfo *step, char *text, ProbeOutput *output, Error *error)
+{
+    ProbeLine line = {text, false};
+    const char *kind = probe_word(&line);
+    if (strcmp(kind, "call") == 0 && step)
+        return probe_call(step, &line, output, error);
+    if (strcmp(kind, "paths") == 0)
+        return probe_paths(&line, output, error);
+    if (strcmp(kind, "picture") == 0)
+        return probe_picture(&line, output, error);
+    if (strcmp(kind, "scatter") == 0)
+        return probe_scatter(&line, output, error);
+    return error_set(error, "no kind of case `%s`; expected %spaths, picture or scatter", kind, step ? "call, " : "");
+}
+
+static bool write_all(int fd, const void *bytes, size_t size)
+{
+    const char *rest = bytes;
+    while (size > 0) {
+        ssize_t written = write(fd, rest, size);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return false;
+        rest += written;
+        size -= (size_t)written;
+    }
+    return true;
+}
+
+static bool write_case(int fd, int number, const ProbeOutput *output)
+{
+    uint32_t head[2] = {(uint32_t)number, (uint32_t)output->count};
+    return write_all(fd, head, sizeof head) && write_all(fd, output->values, output->count * sizeof *output->values);
+}
+
+static void print_case(int number, const ProbeOutput *output)
+{
+    printf("case %d:", number);
+    for (size_t i = 0; i < output->count; i++)
+        printf(" %.9g", (double)output->values[i]);
+    printf("\n");
+}
+
+// Runs the cases line by line; what is done is out before the next begins, so that a crash loses no finished case.
+static bool run_cases(const Arguments *a, const StepInfo *step, char *text, int fd, Error *error)
+{
+    if (fd >= 0 && !write_all(fd, PROBE_MAGIC, strlen(PROBE_MAGIC)))
+        return error_set(error, "cannot write the results: %s", strerror(errno));
+    int number = 0;
+    for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n"), number++) {
+        if (a->only >= 0 && a->only != number)
+            continue;
+        ProbeOutput output = {NULL, 0, 0, false};
+        probe_case = number;
+        size_t expected = probe_case_size(step ? step->id : "", line);
+        bool ok = run_case(step, line, &output, error);
+        if (ok && output.out_of_memory)
+            ok = error_set(error, "not enough memory");
+        if (ok && output.count != expected)
+            ok = error_set(error, "gave %zu numbers where tests/judge/probe/probe_sizes.h says %zu", output.count, expected);
+        if (ok && fd >= 0 && !write_case(fd, number, &output))
+            ok = error_set(error, "cannot write the results: %s", strerror(errno));
+        if (ok && a->print)
+            print_case(number, &output);
+        free(output.values);
+        if (!ok) {
+            char reason[sizeof error->message];
+            snprintf(reason, sizeof reason, "%s", error->message);
+            snprintf(error->message, sizeof error->message, "%.200s: case %d: %.700s", a->cases, number, reason);
+            return false;
+        }
+    }
+    return true;
+}
+
+static int parse(int count, char **arguments, Arguments *a)
+{
+    *a = (Arguments){.fd = -1, .only = -1};
+    const Flag flags[] = {
+        {"step", FLAG_TEXT, &a->step, 0, 0},
+        {"object", FLAG_TEXT, &a->object, 0, 0},
+        {"several", FLAG_TEXT, &a->several, 0, 0},
+        {"objects", FLAG_TEXT, &a->objects, 0, 0},
+        {"references", FLAG_TEXT, &a->references, 0, 0},
+        {"root", FLAG_TEXT, &a->root, 0, 0},
+        {"o", FLAG_TEXT, &a->out, 0, 0},
+        {"fd", FLAG_INT, &a->fd, 0, 1000},
+        {"only", FLAG_INT, &a->only, 0, 1e9},
+        {"print", FLAG_PRESENT, &a->print, 0, 0},
+    };
+    int wrong = command_line_parse(&(CommandLine){"probe", help, "one file of cases", flags, FLAG_COUNT(flags), 1, 1},
+                                   count, arguments, &a->cases);
+    if (wrong)
+        return wrong;
+    bool one = a->step && a->object && !a->several && !a->objects;
+    bool several = a->several && a->objects && !a->step && !a->object;
+    if (!a->references || (!one && !several))
+        return report_usage("probe", "needs --step and --object, or --several and --objects; and --references");
+    return 0;
+}
+
+// "2.1,2.2": their places in the table. Nothing at all: none of them.
+static bool read_list(const char *list, bool graded[STEP_COUNT])
+{
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        graded[i] = false;
+    for (const char *word = list; *word; word += strcspn(word, ",") + (word[strcspn(word, ",")] == ',')) {
+        char id[16];
+        snprintf(id, sizeof id, "%.*s", (int)strcspn(word, ","), word);
+        const StepInfo *step = step_find(id);
+        if (!step)
+            return false;
+        graded[step - step_table] = true;
+    }
+    return true;
+}
+
+static bool load(const Arguments *a, const StepInfo *step, const bool graded[STEP_COUNT], Error *error)
+{
+    return step ? steps_load_graded(step, a->object, a->references, error)
+                : steps_load_several(graded, a->objects, a->references, error);
+}
+
+int command_probe(int count, char **arguments)
+{
+    Arguments a;
+    int wrong = parse(count, arguments, &a);
+    if (wrong)
+        return wrong == HELP_SHOWN ? 0 : wrong;
+    const StepInfo *step = a.step ? step_find(a.step) : NULL;
+    bool graded[STEP_COUNT];
+    if (a.step && !step)
+        return report_usage("probe", "--step %s: no such step", a.step);
+    if (a.several && !read_list(a.several, graded))
+        return report_usage("probe", "--several %s: expected steps parted by commas", a.several);
+    scene_root = a.root ? a.root : ".";
+    parallel_limit(1); // grading runs one probe per core
+    Error error = {""};
+    size_t size;
+    char *text = file_read(a.cases, MOST_CASE_BYTES, &size, &error);
+    if (!text)
+        return report_error(&error);
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what a step prints is out before it crashes
+    probe_watch(a.object, a.objects);
+    FileWriter writer = {NULL, NULL, NULL};
+    bool ok = load(&a, step, graded, &error) && (!a.out || file_write_begin(&writer, a.out, &error));
+    ok = ok && run_cases(&a, step, text, a.out ? fileno(writer.stream) : a.fd, &error);
+    if (writer.stream)
+        ok = file_write_end(&writer, ok, &error) && ok;
+    free(text);
+    return ok ? 0 : report_error(&error);
+}

@@ -1,0 +1,142 @@
+// `paths` and `picture` cases: a step at work in a scene, among the reference's others.
+#include "judge/probe/probe.h"
+#include "judge/probe/probe_batch.h"
+
+#include "photons/pass/photon_pass.h"
+
+#include <string.h>
+
+typedef struct {
+    Scene *scene;
+    long width, height, photons, batches, k, depth;
+    StepChoice play;
+    uint64_t seed;
+} SceneCase;
+
+static bool read_common(ProbeLine *line, SceneCase *c, Error *error)
+{
+    c->depth = probe_whole(line, 1, 1000);
+    const char *steps_text = probe_word(line);
+    c->seed = probe_seed(line);
+    if (line->broken || !probe_at_end(line))
+        return error_set(error, "expected SCENE, numbers, STEPS and SEED");
+    return step_choice_parse(steps_text, &c->play, error);
+}
+
+static void add_vec3(double sum[3], Vec3 v)
+{
+    sum[0] += (double)v.x;
+    sum[1] += (double)v.y;
+    sum[2] += (double)v.z;
+}
+
+static void add_stored(BatchSum *sum, const StoredPhoton *photon)
+{
+    sum->count += 1.0;
+    for (int c = 0; c < 3; c++)
+        sum->flux[c] += (double)colour_channel(photon->power, c);
+    add_vec3(sum->place, photon->position);
+    add_vec3(sum->from, stored_photon_wi(photon));
+}
+
+static void count_stored(Batch *batch, const StoredPhoton *photon)
+{
+    bool sound = photon->material < BATCH_MATERIALS && photon->colour < BATCH_COLOURS && photon->path < BATCH_PATHS;
+    for (int c = 0; c < 3; c++) {
+        float flux = colour_channel(photon->power, c);
+        sound = sound && flux >= 0.0f && flux < INFINITY;
+    }
+    if (!sound) {
+        batch->unusual += 1.0;
+        return;
+    }
+    add_stored(&batch->stored[photon->material][photon->colour], photon);
+    add_stored(&batch->bounces[photon->bounce < BATCH_BOUNCES ? photon->bounce : BATCH_BOUNCES - 1], photon);
+    batch->paths[photon->path] += 1.0;
+}
+
+static void sum_up(const PhotonPass *pass, Batch *batch)
+{
+    memset(batch, 0, sizeof *batch);
+    const Ledger *ledger = &pass->ledger;
+    memcpy(batch->emitted, ledger->emitted, sizeof batch->emitted);
+    memcpy(batch->absorbed, ledger->absorbed, sizeof batch->absorbed);
+    memcpy(batch->escaped, ledger->escaped, sizeof batch->escaped);
+    memcpy(batch->cut, ledger->cut, sizeof batch->cut);
+    memcpy(batch->chance, ledger->chance, sizeof batch->chance);
+    memcpy(batch->chance_error, ledger->chance_error, sizeof batch->chance_error);
+    batch->segments = (double)pass->segments;
+    batch->unsound = (double)pass->unsound.total;
+    for (size_t i = 0; i < pass->rest.count; i++)
+        count_stored(batch, &pass->rest.photons[i]);
+}
+
+static bool run_batches(const SceneCase *c, ProbeOutput *output, Error *error)
+{
+    for (long i = 0; i < c->batches; i++) {
+        PhotonPassOptions options = {.photons = c->photons,
+                                     .depth = (int)c->depth,
+                                     .seed = hash_u64(c->seed + (uint64_t)i),
+                                     .threads = 1,
+                                     .keep = KEEP_ALL,
+                                     .glossy = c->play.glossy,
+                                     .loop = c->play.loop};
+        PhotonPass pass;
+        if (!photon_pass_run(c->scene, &options, &pass, error))
+            return false;
+        Batch batch;
+        sum_up(&pass, &batch);
+        photon_pass_free(&pass);
+        double values[BATCH_NUMBERS];
+        memcpy(values, &batch, sizeof batch);
+        for (size_t j = 0; j < BATCH_NUMBERS; j++)
+            probe_put(output, (float)values[j]);
+    }
+    return true;
+}
+
+bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error)
+{
+    SceneCase c = {0};
+    const char *path = probe_word(line);
+    c.photons = probe_whole(line, 1, 10000000);
+    c.batches = probe_whole(line, 1, 10000);
+    if (!read_common(line, &c, error) || !(c.scene = probe_scene(path, error)))
+        return false;
+    steps_play(c.play);
+    bool ok = run_batches(&c, output, error);
+    scene_free(c.scene);
+    return ok;
+}
+
+bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error)
+{
+    SceneCase c = {0};
+    const char *path = probe_word(line);
+    c.width = probe_whole(line, 1, 1024);
+    c.height = probe_whole(line, 1, 1024);
+    c.photons = probe_whole(line, 1, 10000000);
+    c.k = probe_whole(line, 1, 10000);
+    if (!read_common(line, &c, error) || !(c.scene = probe_scene(path, error)))
+        return false;
+    RenderOptions options = {.integrator = INTEGRATOR_PHOTONS_ONLY,
+                             .settings = c.scene->settings,
+                             .seed = c.seed,
+                             .threads = 1,
+                             .play = c.play,
+                             .glass_sides = 2};
+    options.settings.width = (int)c.width;
+    options.settings.height = (int)c.height;
+    options.settings.samples = 1;
+    options.settings.photons = c.photons;
+    options.settings.k = (int)c.k;
+    options.settings.depth = (int)c.depth;
+    Image image = {0, 0, NULL};
+    RenderStats stats;
+    bool ok = render_image(c.scene, &options, &image, &stats, error);
+    for (long i = 0; ok && i < c.width * c.height; i++)
+        probe_put_colour(output, image.pixels[i]);
+    image_free(&image);
+    scene_free(c.scene);
+    return ok;
+}

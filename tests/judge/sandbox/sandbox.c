@@ -1,0 +1,238 @@
+#define _GNU_SOURCE // pipe2
+#include "judge/sandbox/sandbox.h"
+#include "judge/sandbox/sandbox_parts.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#define GRACE 1.0 // s from the probe's own alarm to the end by force
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+// The environment is ours alone; the probe sets itself an alarm, as no signal from outside reaches it in its namespace.
+static void fill_environment(const SandboxRun *run, Words *words)
+{
+    words_add(words, "LC_ALL=C");
+    words_add(words, "PATH=" SANDBOX_PATH);
+    words_add(words, "HOME=/");
+    words_add(words, "OMP_NUM_THREADS=1");
+    words_add(words, "ASAN_OPTIONS=detect_leaks=0");
+    if (!run->compiler)
+        words_add(words, "PHOTONLAB_PROBE_SECONDS=%.3f", run->wall_seconds);
+}
+
+static bool prepare(SandboxKind kind, const SandboxRun *run, Launch *launch, Error *error)
+{
+    *launch = (Launch){.filter_fd = -1, .uid_lock = -1};
+    fill_environment(run, &launch->environment);
+    if (kind != SANDBOX_NONE && (launch->filter_fd = sandbox_filter(run, error)) < 0)
+        return false;
+    if (kind == SANDBOX_BUBBLEWRAP && !sandbox_bubblewrap(run, launch, error))
+        return false;
+    if (kind == SANDBOX_UID && !sandbox_uid_prepare(run, launch, error))
+        return false;
+    if (kind == SANDBOX_NONE) {
+        char *program = sandbox_find_program(run->arguments[0]);
+        if (!program)
+            return error_set(error, "%s: no such program", run->arguments[0]);
+        words_add(&launch->arguments, "%s", program);
+        free(program);
+        for (const char *const *word = run->arguments + 1; *word; word++)
+            words_add(&launch->arguments, "%s", *word);
+    }
+    if (launch->arguments.out_of_memory || launch->environment.out_of_memory || launch->readable.out_of_memory)
+        return error_set(error, "not enough memory");
+    return true;
+}
+
+static void clear(SandboxKind kind, const SandboxRun *run, Launch *launch)
+{
+    if (kind == SANDBOX_UID)
+        sandbox_uid_finish(run, launch);
+    if (launch->filter_fd >= 0)
+        close(launch->filter_fd);
+    free(launch->filter);
+    words_free(&launch->arguments);
+    words_free(&launch->environment);
+    words_free(&launch->readable);
+}
+
+// Forks. *out is where what it prints can be read. −1: it could not be started.
+static pid_t start(SandboxKind kind, const SandboxRun *run, const Launch *launch, int *out, Error *error)
+{
+    int printed[2], complaints[2];
+    if (pipe2(printed, O_CLOEXEC) != 0)
+        return error_set(error, "pipe: %s", strerror(errno)) ? 0 : -1;
+    if (pipe2(complaints, O_CLOEXEC) != 0) {
+        close(printed[0]);
+        close(printed[1]);
+        return error_set(error, "pipe: %s", strerror(errno)) ? 0 : -1;
+    }
+    pid_t child = fork();
+    int reason = errno;
+    if (child == 0)
+        sandbox_become(kind, run, launch, printed[1], complaints[1]);
+    close(printed[1]);
+    close(complaints[1]);
+    Complaint complaint;
+    ssize_t got;
+    while ((got = read(complaints[0], &complaint, sizeof complaint)) < 0 && errno == EINTR)
+        continue;
+    close(complaints[0]);
+    *out = printed[0];
+    if (child > 0 && got <= 0)
+        return child;
+    if (child > 0) {
+        waitpid(child, NULL, 0);
+        error_set(error, "%s %s%s%s", complaint.path, complaint.what, complaint.reason ? ": " : "",
+                  complaint.reason ? strerror(complaint.reason) : "");
+    } else {
+        error_set(error, "fork: %s", strerror(reason));
+    }
+    close(printed[0]);
+    return -1;
+}
+
+// Keeps the end of what is printed.
+static void keep(SandboxResult *result, size_t *used, const char *bytes, size_t count)
+{
+    size_t room = sizeof result->text - 1;
+    size_t surplus = *used + count > room ? *used + count - room : 0;
+    if (surplus > 0) {
+        surplus = surplus < *used ? surplus : *used;
+        memmove(result->text, result->text + surplus, *used - surplus);
+        *used -= surplus;
+    }
+    memcpy(result->text + *used, bytes, count); // at most a chunk, which is smaller than the room
+    *used += count;
+    result->text[*used] = '\0';
+    result->printed += count;
+    result->flooded = result->printed > SANDBOX_MOST_PRINTED;
+}
+
+// True while there may be more to come.
+static bool read_some(int out, SandboxResult *result, size_t *used)
+{
+    char bytes[16384];
+    ssize_t got = read(out, bytes, sizeof bytes);
+    if (got > 0)
+        keep(result, used, bytes, (size_t)got);
+    return got > 0 || (got < 0 && errno == EINTR);
+}
+
+// Reads until the program has ended, or has to be ended. Takes its state.
+static void watch(pid_t child, int out, const SandboxRun *run, SandboxResult *result)
+{
+    double begin = now(), deadline = begin + run->wall_seconds + GRACE;
+    size_t used = 0;
+    bool more = true, ended = false;
+    int state = 0;
+    struct rusage usage;
+    while (!ended && !result->flooded && !result->timed_out) {
+        struct pollfd wait = {more ? out : -1, POLLIN, 0};
+        if (poll(&wait, 1, more ? 20 : 2) > 0)
+            more = read_some(out, result, &used);
+        siginfo_t info = {.si_pid = 0};
+        // Left unreaped, so that its number, which is its group's too, stays its own until all are ended.
+        ended = waitid(P_PID, (id_t)child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
+        result->timed_out = !ended && now() > deadline;
+    }
+    kill(-child, SIGKILL);
+    kill(child, SIGKILL);
+    while (wait4(child, &state, 0, &usage) < 0 && errno == EINTR)
+        continue;
+    // What was still on its way; a process that fled its group and holds the pipe is not waited for.
+    fcntl(out, F_SETFL, O_NONBLOCK);
+    while (more && !result->flooded && read_some(out, result, &used))
+        continue;
+    result->wall_seconds = now() - begin;
+    result->cpu_seconds = (double)usage.ru_utime.tv_sec + (double)usage.ru_stime.tv_sec +
+                          1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+    result->exit_code = WIFEXITED(state) ? WEXITSTATUS(state) : -1;
+    result->signal = WIFSIGNALED(state) ? WTERMSIG(state) : 0;
+}
+
+// bubblewrap tells of a signal as a shell does, and so does the probe.
+static void read_state(SandboxResult *result)
+{
+    if (result->exit_code > 128 && result->exit_code <= 128 + 64) {
+        result->signal = result->exit_code - 128;
+        result->exit_code = -1;
+    }
+    result->timed_out = result->timed_out || result->signal == SIGALRM;
+}
+
+bool sandbox_run(SandboxKind kind, const SandboxRun *run, SandboxResult *result, Error *error)
+{
+    memset(result, 0, sizeof *result);
+    result->exit_code = -1;
+    result->cpu_limit = run->cpu_seconds;
+    result->wall_limit = run->wall_seconds;
+    result->memory_mb = run->memory_mb;
+    Launch launch;
+    int out;
+    bool ok = prepare(kind, run, &launch, error);
+    pid_t child = ok ? start(kind, run, &launch, &out, error) : -1;
+    if (child > 0) {
+        watch(child, out, run, result);
+        close(out);
+        read_state(result);
+    }
+    clear(kind, run, &launch);
+    if (child > 0 && kind == SANDBOX_BUBBLEWRAP && result->exit_code == 1 && strncmp(result->text, "bwrap: ", 7) == 0)
+        return error_set(error, "%.*s", (int)strcspn(result->text, "\n"), result->text);
+    return child > 0;
+}
+
+const char *sandbox_name(SandboxKind kind)
+{
+    static const char *const names[] = {"bubblewrap", "uid", "none"};
+    return names[kind];
+}
+
+// Does it hold here? Containers often forbid namespaces, and root may be root in name alone.
+static bool works(SandboxKind kind, Error *error)
+{
+    static SandboxResult result;
+    const char *const arguments[] = {"true", NULL};
+    SandboxRun run = {
+        .arguments = arguments, .result_fd = -1, .cpu_seconds = 2, .wall_seconds = 10, .memory_mb = 512, .file_mb = 1};
+    if (!sandbox_run(kind, &run, &result, error))
+        return false;
+    return result.exit_code == 0 || error_set(error, "a trial run failed: %.200s", result.text);
+}
+
+SandboxKind sandbox_open(char *reason, size_t size)
+{
+    const char *wanted = getenv("PHOTONLAB_SANDBOX");
+    bool any = !wanted || !*wanted;
+    Error bubblewrap = {""}, uid = {""};
+    reason[0] = '\0';
+    if ((any || strcmp(wanted, "bubblewrap") == 0) && works(SANDBOX_BUBBLEWRAP, &bubblewrap))
+        return SANDBOX_BUBBLEWRAP;
+    if ((any || strcmp(wanted, "uid") == 0) && geteuid() != 0)
+        error_set(&uid, "only root can run code as another user");
+    else if ((any || strcmp(wanted, "uid") == 0) && works(SANDBOX_UID, &uid))
+        return SANDBOX_UID;
+    snprintf(reason, size, "%s%s%s", bubblewrap.message, bubblewrap.message[0] && uid.message[0] ? "; " : "",
+             uid.message);
+    if (!any && strcmp(wanted, "none") == 0)
+        snprintf(reason, size, "PHOTONLAB_SANDBOX=none asks for it");
+    else if (!any && !reason[0])
+        snprintf(reason, size, "PHOTONLAB_SANDBOX=%.60s: expected bubblewrap, uid or none", wanted);
+    return SANDBOX_NONE;
+}

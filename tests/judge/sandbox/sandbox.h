@@ -1,0 +1,55 @@
+// Runs a program that is not trusted: the probe with a student's code in it, or the compiler on a student's source.
+// May be called from several threads at once.
+#ifndef PHOTONLAB_JUDGE_SANDBOX_H
+#define PHOTONLAB_JUDGE_SANDBOX_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum {
+    SANDBOX_BUBBLEWRAP, // namespaces: sees only what it is shown
+    SANDBOX_UID,        // as root without bubblewrap: a user of its own, no_new_privs, seccomp
+    SANDBOX_NONE        // limits only; no grading for credit
+} SandboxKind;
+
+// Picks the best there is on this machine (environment PHOTONLAB_SANDBOX=bubblewrap|uid|none asks for one of them). For
+// SANDBOX_NONE, `reason` says why, in words for the person at the terminal; otherwise it is empty.
+SandboxKind sandbox_open(char *reason, size_t size);
+const char *sandbox_name(SandboxKind kind); // "bubblewrap", …
+
+#define MOST_VISIBLE 48
+#define MOST_HIDDEN  16
+typedef struct {
+    const char *const *arguments; // program first, NULL last
+    const char
+        *visible[MOST_VISIBLE];      // absolute paths of files and directories that it may read, NULL last; those that
+                                     // are not there are passed over
+    const char *hidden[MOST_HIDDEN]; // absolute paths that it must not read but for what is `visible` in them, NULL
+                                     // last. SANDBOX_UID refuses to run while others can read them
+    const char *writable;            // a directory that it may write to; NULL: none
+    int result_fd;                   // becomes its descriptor 3; −1: none
+    bool compiler;                   // may start processes and write files, as compilers do
+    double cpu_seconds, wall_seconds;
+    long memory_mb, file_mb; // memory 0: no limit (AddressSanitizer)
+} SandboxRun;
+
+#define SANDBOX_MOST_PRINTED (64u << 20) // bytes; a program that prints more is ended
+
+typedef struct {
+    int exit_code;  // when it ended by itself; −1 otherwise
+    int signal;     // that ended it, 0: none
+    bool timed_out; // wall clock
+    bool flooded;   // printed more than SANDBOX_MOST_PRINTED
+    double cpu_seconds, wall_seconds;
+    double cpu_limit, wall_limit; // as they were asked for
+    long memory_mb;
+    char text[32768]; // what it printed (both streams), the end of it when it was more
+    size_t printed;   // bytes in all
+} SandboxResult;
+
+// False only when it could not be started at all.
+bool sandbox_run(SandboxKind kind, const SandboxRun *run, SandboxResult *result, Error *error);
+
+#endif

@@ -1,0 +1,67 @@
+// What the sandbox's parts share; for tests/judge/sandbox*.c alone.
+#ifndef PHOTONLAB_JUDGE_SANDBOX_PARTS_H
+#define PHOTONLAB_JUDGE_SANDBOX_PARTS_H
+
+#include "judge/sandbox/sandbox.h"
+
+#include <sys/types.h>
+
+// A list that owns its words and ends with NULL, as execve takes it.
+typedef struct {
+    char **list;
+    size_t count, room;
+    bool out_of_memory;
+} Words;
+
+void words_add(Words *words, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+void words_free(Words *words);
+
+// Everything that the child needs between fork and exec, where nothing may be allocated any more.
+typedef struct {
+    Words arguments, environment;
+    int filter_fd;             // bubblewrap reads the filter from here; −1: none
+    void *filter;              // SANDBOX_UID: the filter's instructions, loaded by the child itself
+    size_t filter_size;        // bytes
+    uid_t uid;                 // also its group; 0: stays who it is
+    int uid_lock;              // held while the uid is in use
+    char room[64];             // SANDBOX_UID: a directory with copies of what only root may read; "" if none
+    Words readable;            // must be readable as this uid
+    const char *const *hidden; // must not be
+} Launch;
+
+// The program's own path, looked up in the sandbox's PATH; NULL when there is none. To be freed.
+char *sandbox_find_program(const char *name);
+#define SANDBOX_PATH "/usr/local/bin:/usr/bin:/bin"
+
+// What the child could not do, on its way to the parent.
+typedef struct {
+    char what[160], path[512];
+    int reason; // errno
+} Complaint;
+
+// The child, from fork to exec: its output goes to `out`, a complaint to `complaint`, which exec closes. Never returns.
+void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launch, int out, int complaint);
+
+// A seccomp filter as instructions of the kernel's, in a file without a name. −1 with a reason.
+int sandbox_filter(const SandboxRun *run, Error *error);
+
+// The filter loaded from filter_fd into memory.
+bool sandbox_filter_read(Launch *launch, Error *error);
+// In the child: from here on the filter holds. False: errno.
+bool sandbox_filter_enter(const Launch *launch);
+
+// Arguments of bwrap around those of the run.
+bool sandbox_bubblewrap(const SandboxRun *run, Launch *launch, Error *error);
+
+// A free uid, and a room with copies of what is visible but closed to others.
+bool sandbox_uid_prepare(const SandboxRun *run, Launch *launch, Error *error);
+// In the child: becomes that user. Returns NULL, or what must be done about it, with the path in question.
+const char *sandbox_uid_enter(const Launch *launch, const char **path);
+// Ends whatever still runs as this user, takes the written files over, clears the room.
+void sandbox_uid_finish(const SandboxRun *run, Launch *launch);
+
+#endif

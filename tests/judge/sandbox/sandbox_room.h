@@ -1,0 +1,28 @@
+// A room: a directory with copies of files, each at its own path below it, for one user alone.
+#ifndef PHOTONLAB_JUDGE_SANDBOX_ROOM_H
+#define PHOTONLAB_JUDGE_SANDBOX_ROOM_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <sys/types.h>
+
+#define ROOM_MOST_BYTES (64L << 20) // of one file
+
+// Makes the room (in $TMPDIR or /tmp); its path has at most `size` bytes.
+bool room_open(char *room, size_t size, gid_t group, Error *error);
+
+// Copies a file or a whole directory (plain files alone, links are left out) to room/path; `writer` owns the copies, 0: root
+// does, and the group may read them. Without a writer, files that anybody may read and only root may write are hard links.
+bool room_copy(const char *room, const char *path, uid_t writer, gid_t group, Error *error);
+
+// Copies the plain files of room/path back to path, which no one but the judge can write to.
+void room_take_back(const char *room, const char *path);
+
+void room_close(const char *room);
+
+// May any user read it, from the root of the file system to everything in it? True for what is not there.
+bool room_is_open(const char *path);
+
+#endif

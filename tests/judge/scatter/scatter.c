@@ -1,0 +1,193 @@
+#include "judge/scatter/scatter.h"
+#include "judge/grade/crash.h"
+#include "judge/grade/probe_job.h"
+
+#include "judge/probe/probe_scatter.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define LEVEL 1e-3 // as a step's: chance that right code fails in the first round
+
+const ScatterStage scatter_stages[STAGE_COUNT] = {
+    [0] = {"tests/steps/scenes/scatter_1.yaml", 24000, 16, "power"},
+    [1] = {"tests/steps/scenes/scatter_2.yaml", 16000, 16, "power"},
+    [2] = {"tests/steps/scenes/scatter_3.yaml", 12000, 16, "photon"},
+};
+
+// Who plays: the student's steps by their place in the table.
+typedef struct {
+    bool student[STEP_COUNT], hide[STEP_COUNT];
+    char list[100];   // "2.1,2.4"
+    const char *play; // "2.4,3.4"
+} Cast;
+
+static size_t place_of(const char *id)
+{
+    return (size_t)(step_find(id) - step_table);
+}
+
+// As step_choice_for_student chooses: 1.5 or 2.3 where the stage has it and nothing that comes after it.
+static void choose_cast(int stage, const StepResult *graded, int count, Cast *cast)
+{
+    *cast = (Cast){.play = "2.4,3.4"};
+    for (int i = 0; i < count; i++)
+        if (graded[i].step->stage == stage && graded[i].playable && !graded[i].hidden)
+            cast->student[graded[i].step - step_table] = true;
+    cast->student[place_of("1.6")] = false; // looks at photons when all are at rest
+    if (cast->student[place_of("1.5")])
+        cast->play = "2.4,1.5";
+    if (cast->student[place_of("2.4")])
+        cast->student[place_of("2.3")] = false;
+    if (cast->student[place_of("2.3")])
+        cast->play = "2.3,3.4";
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        if (!cast->student[i])
+            continue;
+        snprintf(cast->list + strlen(cast->list), sizeof cast->list - strlen(cast->list), "%s%s",
+                 *cast->list ? "," : "", step_table[i].id);
+        cast->hide[i] = true;
+        for (size_t j = 0; j < STEP_COUNT; j++) // nor may it see what does the same work
+            cast->hide[j] = cast->hide[j] || strstr(step_checks[i].twins, step_table[j].id);
+    }
+}
+
+typedef struct {
+    const GradeOptions *options;
+    const ScatterStage *stage;
+    Cast cast;
+    char directory[4000]; // "" while nothing is written
+} Stage;
+
+static uint64_t seed_of(const GradeOptions *options, int stage, int round, bool reference)
+{
+    uint64_t hash = hash_u64((uint64_t)(stage * 4 + round * 2 + reference));
+    for (const char *c = options->salt; *c; c++)
+        hash = hash_u64(hash ^ (uint64_t)(unsigned char)*c);
+    return hash_u64(hash ^ 0x73636174u);
+}
+
+// One pass's photons, to be freed; NULL with a status and a message otherwise.
+static float *run(const Stage *s, bool reference, uint64_t seed, StageResult *result)
+{
+    const GradeOptions *o = s->options;
+    Cast nobody = {.list = ""};
+    const Cast *cast = reference ? &nobody : &s->cast;
+    char line[400], *lines[] = {line};
+    snprintf(line, sizeof line, "scatter %s %ld %ld %d %s %llu", s->stage->scene, s->stage->photons, SCATTER_ROOM,
+             s->stage->depth, s->cast.play, (unsigned long long)seed);
+    ProbeJob job;
+    probe_job_start(o, s->directory, reference ? "reference.txt" : "scatter.txt", &job);
+    const char *const words[] = {"--several", cast->list, "--objects", o->work};
+    probe_job_words(&job, words, 4);
+    probe_job_show(&job, "%s/tests/steps/scenes", o->root);
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        if (!cast->hide[i])
+            probe_job_show(&job, "%s/solutions/%s.so", o->build, step_table[i].file);
+        if (cast->student[i])
+            probe_job_show(&job, "%s/%s/step.so", o->work, step_table[i].id);
+    }
+    job.cpu_seconds = o->cpu_seconds / 3.0; // it takes a twentieth of a second
+    Numbers numbers = {NULL, 0};
+    ProbeRun *ran = calloc(1, sizeof *ran);
+    StepResult *words_for = calloc(1, sizeof *words_for);
+    if (!ran || !words_for)
+        exit(3);
+    result->status = probe_job_run(o, &job, "", lines, 1, &numbers, ran);
+    if (result->status == STATUS_SKIP || ran->forged)
+        snprintf(result->message, sizeof result->message, "%.1000s", ran->message);
+    else if (result->status == STATUS_ERROR) {
+        crash_describe(o, &ran->sandbox, NULL, "", words_for);
+        snprintf(result->message, sizeof result->message, "%s did not get through: %.800s",
+                 reference ? "the reference" : result->steps, words_for->message);
+    }
+    if (reference && result->status == STATUS_ERROR)
+        result->status = STATUS_SKIP; // no fault of the student
+    free(words_for);
+    float *photons = ran->storage;
+    free(ran);
+    if (result->status == STATUS_PASS)
+        return photons;
+    free(photons);
+    return NULL;
+}
+
+static void read_names(const Stage *s, ScatterNames *names)
+{
+    char path[4200];
+    Error error = {""};
+    snprintf(path, sizeof path, "%s/%s", s->options->root, s->stage->scene);
+    Scene *scene = scene_load(path, &error);
+    for (size_t i = 0; i < SCATTER_MOST_MATERIALS; i++)
+        snprintf(names->of[i], 64, "%s", scene && i < scene->material_count ? scene->materials[i].name : "?");
+    scene_free(scene);
+}
+
+// One round: both runs and what their numbers say. *keep: their photons are kept in the result.
+static void play_round(const Stage *s, int round, bool keep, StageResult *result)
+{
+    float *yours = run(s, false, seed_of(s->options, result->stage, round, false), result);
+    float *reference = yours ? run(s, true, seed_of(s->options, result->stage, round, true), result) : NULL;
+    ScatterNames names;
+    ScatterFinding finding;
+    if (yours && reference) {
+        read_names(s, &names);
+        if (!scatter_compare(yours, reference, SCATTER_ROOM, s->stage->photons, &names, &finding)) {
+            result->status = STATUS_ERROR;
+            snprintf(result->message, sizeof result->message, "something other than the probe wrote to the results");
+        } else {
+            result->p = finding.certain ? 0.0 : finding.p;
+            result->tests = finding.tests;
+            result->threshold = LEVEL / fmax(1.0, (double)finding.tests);
+            bool failed = finding.certain || finding.p < result->threshold;
+            result->status = failed ? STATUS_FAIL : STATUS_PASS;
+            snprintf(result->message, sizeof result->message, "%s", failed ? finding.message : "");
+        }
+    }
+    if (keep && yours && reference && result->status != STATUS_ERROR) {
+        result->yours = yours;
+        result->reference = reference;
+        return;
+    }
+    free(yours);
+    free(reference);
+}
+
+void grade_scatter(const GradeOptions *options, int stage, const StepResult *graded, int count, StageResult *result)
+{
+    double start = clock_seconds();
+    *result = (StageResult){.stage = stage, .status = STATUS_TODO, .p = 1.0};
+    Stage s = {.options = options, .stage = &scatter_stages[stage - 1]};
+    choose_cast(stage, graded, count, &s.cast);
+    if (!s.stage->scene || !*s.cast.list)
+        return;
+    for (const char *c = s.cast.list; *c; c++)
+        result->steps[c - s.cast.list] = *c == ',' ? ' ' : *c;
+    snprintf(s.directory, sizeof s.directory, "%s/scatter_%d", options->work, stage);
+    mkdir(s.directory, 0755);
+    play_round(&s, 0, true, result);
+    bool by_chance = result->status == STATUS_FAIL && result->p > 0.0;
+    if (by_chance && !options->first_round_only) {
+        StageResult *again = malloc(sizeof *again);
+        if (!again)
+            exit(3);
+        *again = *result;
+        play_round(&s, 1, false, again);
+        if (again->status != STATUS_FAIL) {
+            result->status = again->status;
+            snprintf(result->message, sizeof result->message, "%s", again->message);
+        }
+        free(again);
+    }
+    result->seconds = clock_seconds() - start;
+}
+
+void stage_result_free(StageResult *result)
+{
+    free(result->yours);
+    free(result->reference);
+    result->yours = result->reference = NULL;
+}

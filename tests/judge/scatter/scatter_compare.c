@@ -1,0 +1,135 @@
+// Two scatters against each other: photons are counted and measured in cells (on one surface; there by one kind of
+// path; of one colour; after so many surfaces), batch by batch of paths, since photons of one path depend on each other.
+#include "judge/scatter/scatter_cells.h"
+#include "judge/checks/statistics.h"
+
+#include "judge/probe/probe_scatter.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define FEWEST_HITS 20 // paths that reached a cell; with fewer, sums are not nearly normal
+
+typedef struct {
+    ScatterFinding *finding;
+    const ScatterNames *names;
+} Judge;
+
+static void found(Judge *judge, int cell, ScatterStat stat, int axis, double yours, double reference, double z,
+                  double p)
+{
+    ScatterFinding *finding = judge->finding;
+    finding->tests++;
+    if (p >= finding->p)
+        return;
+    finding->p = p;
+    finding->z = fabs(z);
+    ScatterCell described = cell_describe(cell);
+    scatter_describe(&described, stat, axis, yours, reference, fabs(z), judge->names, finding->message,
+                     sizeof finding->message);
+}
+
+// Of all paths that reached this cell, half should be the student's: exact, however few they are.
+static void test_hits(Judge *judge, int c, const Cell *a, const Cell *b)
+{
+    double n = a->hits + b->hits;
+    if (n >= FEWEST_HITS)
+        found(judge, c, SCATTER_HITS, 0, a->hits, b->hits, (a->hits - b->hits) / sqrt(n),
+              binomial_p((long)a->hits, (long)n, 0.5));
+}
+
+// Welch's test over the batches.
+static void test_sums(Judge *judge, int c, const Cell *a, const Cell *b, int k, ScatterStat stat, int axis)
+{
+    Sums yours = {0}, reference = {0};
+    double largest = 0.0;
+    for (int i = 0; i < BATCHES; i++) {
+        sums_add(&yours, a->batch[i][k]);
+        sums_add(&reference, b->batch[i][k]);
+        largest = fmax(largest, fmax(fabs(a->batch[i][k]), fabs(b->batch[i][k])));
+    }
+    double u = sums_error(&yours), v = sums_error(&reference), u2 = u * u, v2 = v * v;
+    double difference = sums_mean(&yours) - sums_mean(&reference), error = sqrt(u2 + v2);
+    if (error <= 1e-5 * largest) { // the same in every photon, as far as floats go
+        if (fabs(difference) > 1e-3 * largest)
+            found(judge, c, stat, axis, a->mean[k], b->mean[k], 1e3, 0.0);
+        return;
+    }
+    double freedom = (u2 + v2) * (u2 + v2) / ((u2 * u2 + v2 * v2) / (BATCHES - 1));
+    bool total = stat == SCATTER_COUNT || stat == SCATTER_FLUX;
+    found(judge, c, stat, axis, a->mean[k] * (total ? a->count : 1.0), b->mean[k] * (total ? b->count : 1.0),
+          difference / error, student_p(difference / error, freedom));
+}
+
+static void test_cell(Judge *judge, int c, const Cell *a, const Cell *b)
+{
+    test_hits(judge, c, a, b);
+    if (a->hits < FEWEST_HITS || b->hits < FEWEST_HITS)
+        return;
+    test_sums(judge, c, a, b, COUNT, SCATTER_COUNT, 0);
+    for (int k = 0; k < 3; k++) {
+        test_sums(judge, c, a, b, FLUX + k, SCATTER_FLUX, k);
+        test_sums(judge, c, a, b, PLACE + k, SCATTER_PLACE, k);
+        test_sums(judge, c, a, b, WAY + k, SCATTER_WAY, k);
+        test_sums(judge, c, a, b, SPREAD + k, SCATTER_SPREAD, k);
+    }
+}
+
+// A cell that holds all of its surface's photons tells nothing new.
+static bool is_repeated(const Side *a, const Side *b, int c)
+{
+    ScatterCell cell = cell_describe(c);
+    if (cell.material < 0 || (cell.path < 0 && cell.colour < 0))
+        return false;
+    int parent = CELLS_MATERIAL + cell.material;
+    return a->cells[c].count == a->cells[parent].count && b->cells[c].count == b->cells[parent].count;
+}
+
+static void test_all(Judge *judge, const Photons photons[2], Side *sides[2])
+{
+    cells_fill(photons, sides);
+    for (int c = 0; c < CELLS; c++)
+        if (!is_repeated(sides[0], sides[1], c))
+            test_cell(judge, c, &sides[0]->cells[c], &sides[1]->cells[c]);
+}
+
+// What no right code does.
+static bool find_certain(const float *yours, const Photons *photons, const float *reference, long room,
+                         ScatterFinding *finding)
+{
+    long odd = photons_count_odd(photons);
+    finding->certain = true;
+    if (odd > 0)
+        snprintf(finding->message, sizeof finding->message,
+                 "%ld of %ld photons have a place or a power that is no sensible number", odd, photons->count);
+    else if (yours[SCATTER_UNSOUND] > 0.0f)
+        snprintf(finding->message, sizeof finding->message, "%.0f photons fly in a direction that is not of length 1",
+                 (double)yours[SCATTER_UNSOUND]);
+    else if (yours[SCATTER_STORED] > (float)room)
+        snprintf(finding->message, sizeof finding->message,
+                 "%.0f photons come to rest of %ld emitted; about %.0f are right", (double)yours[SCATTER_STORED],
+                 photons->emitted, (double)reference[SCATTER_STORED]);
+    else
+        finding->certain = false;
+    return finding->certain;
+}
+
+bool scatter_compare(const float *yours, const float *reference, long room, long emitted, const ScatterNames *names,
+                     ScatterFinding *finding)
+{
+    Photons photons[2];
+    *finding = (ScatterFinding){.p = 1.0};
+    if (!photons_take(yours, room, emitted, &photons[0]) || !photons_take(reference, room, emitted, &photons[1]))
+        return false;
+    if (find_certain(yours, &photons[0], reference, room, finding))
+        return true;
+    Judge judge = {finding, names};
+    Side *sides[2] = {calloc(1, sizeof **sides), calloc(1, sizeof **sides)};
+    if (!sides[0] || !sides[1])
+        exit(3);
+    test_all(&judge, photons, sides);
+    free(sides[0]);
+    free(sides[1]);
+    return true;
+}

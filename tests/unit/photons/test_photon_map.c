@@ -1,0 +1,252 @@
+// The photon map against brute force: every answer must be the one a plain loop over all photons gives.
+#include "unit/photons/photon_map_helpers.h"
+
+// Near the photons, far away from them, or on one of them.
+static Vec3 make_query(const PhotonMap *map, Arrangement arrangement, int which, Rng *rng)
+{
+    if (which == 0 && photon_map_count(map) > 0)
+        return photon_map_photons(map)[rng_u32(rng) % photon_map_count(map)].position;
+    if (which == 1)
+        return vec3(300.0f, -7.0f, 2.0f);
+    return place(which % 2 ? arrangement : CUBE, rng);
+}
+
+static float distance2_to(const StoredPhoton *photon, Vec3 point)
+{
+    Vec3 d = vec3_sub(photon->position, point);
+    return vec3_dot(d, d);
+}
+
+static int compare_floats(const void *a, const void *b)
+{
+    float left = *(const float *)a;
+    float right = *(const float *)b;
+    return left < right ? -1 : left > right;
+}
+
+static int compare_near(const void *a, const void *b)
+{
+    const StoredPhoton *left = ((const NearPhoton *)a)->photon;
+    const StoredPhoton *right = ((const NearPhoton *)b)->photon;
+    return left < right ? -1 : left > right;
+}
+
+static void assert_distinct(NearPhoton *near, size_t count)
+{
+    qsort(near, count, sizeof *near, compare_near);
+    for (size_t i = 1; i < count; i++)
+        assert_ptr_not_equal(near[i - 1].photon, near[i].photon);
+}
+
+// All squared distances, ascending; free after use.
+static float *sorted_distances(const PhotonMap *map, Vec3 point)
+{
+    size_t count = photon_map_count(map);
+    float *sorted = calloc(count + 1, sizeof *sorted);
+    assert_non_null(sorted);
+    for (size_t i = 0; i < count; i++)
+        sorted[i] = distance2_to(&photon_map_photons(map)[i], point);
+    qsort(sorted, count, sizeof *sorted, compare_floats);
+    return sorted;
+}
+
+static size_t count_below(const float *sorted, size_t count, float limit)
+{
+    size_t below = 0;
+    while (below < count && sorted[below] < limit)
+        below++;
+    return below;
+}
+
+static void check_nearest(const PhotonMap *map, Vec3 point, size_t k, float limit, const float *sorted)
+{
+    size_t room = PHOTON_MAP_NEAREST_ROOM(k);
+    NearPhoton *near = malloc(room * sizeof *near); // exactly that much: AddressSanitizer watches
+    assert_non_null(near);
+    size_t in_reach = count_below(sorted, photon_map_count(map), limit);
+    size_t expected = in_reach < k ? in_reach : k;
+    float radius2 = limit;
+    assert_int_equal(photon_map_nearest(map, point, k, &radius2, near), expected);
+    assert_true(radius2 == (expected == k ? sorted[k - 1] : limit));
+    float *found = calloc(expected + 1, sizeof *found);
+    assert_non_null(found);
+    for (size_t i = 0; i < expected; i++) {
+        size_t index = (size_t)(near[i].photon - photon_map_photons(map));
+        assert_true(index < photon_map_count(map));
+        assert_true(near[i].distance2 == distance2_to(near[i].photon, point));
+        found[i] = near[i].distance2;
+    }
+    qsort(found, expected, sizeof *found, compare_floats);
+    assert_memory_equal(found, sorted, expected * sizeof *found);
+    assert_distinct(near, expected);
+    free(found);
+    free(near);
+}
+
+static void check_query(const PhotonMap *map, Vec3 point, const size_t *ks, size_t k_count)
+{
+    size_t count = photon_map_count(map);
+    float *sorted = sorted_distances(map, point);
+    for (size_t i = 0; i < k_count; i++) {
+        check_nearest(map, point, ks[i], INFINITY, sorted);
+        if (count == 0)
+            continue;
+        check_nearest(map, point, ks[i], sorted[count / 2], sorted); // a limit that a photon lies exactly on
+        check_nearest(map, point, ks[i], sorted[count / 3] * 1.01f, sorted);
+        check_nearest(map, point, ks[i], 0.0f, sorted);
+    }
+    free(sorted);
+}
+
+// A widely copied traversal never visits the last three or four photons, which shows for few photons.
+static void test_nearest_of_few(void **state)
+{
+    (void)state;
+    for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++)
+        for (size_t count = 0; count <= 64; count++) {
+            PhotonMap *map = make_map((Arrangement)arrangement, count, 1 + count);
+            size_t ks[67];
+            for (size_t k = 1; k <= count + 2; k++)
+                ks[k - 1] = k;
+            Rng rng = rng_create(2, count);
+            for (int which = 0; which < 4; which++)
+                check_query(map, make_query(map, (Arrangement)arrangement, which, &rng), ks, count + 2);
+            photon_map_free(map);
+        }
+}
+
+static void nearest_of_many(size_t count, int queries)
+{
+    static const size_t ks[] = {1, 2, 7, 50, 400, 999, 1000, 1001};
+    for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++) {
+        PhotonMap *map = make_map((Arrangement)arrangement, count, 3);
+        Rng rng = rng_create(4, count);
+        for (int which = 0; which < queries; which++)
+            check_query(map, make_query(map, (Arrangement)arrangement, which, &rng), ks, sizeof ks / sizeof *ks);
+        photon_map_free(map);
+    }
+}
+
+static void test_nearest_of_1000(void **state)
+{
+    (void)state;
+    nearest_of_many(1000, 30);
+}
+
+static void test_nearest_of_100000(void **state)
+{
+    (void)state;
+    nearest_of_many(100000, 6);
+}
+
+static void test_no_photons_wanted(void **state)
+{
+    (void)state;
+    PhotonMap *map = make_map(CUBE, 100, 5);
+    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(0)];
+    float radius2 = 3.0f;
+    assert_int_equal(photon_map_nearest(map, vec3(0.0f, 0.0f, 0.0f), 0, &radius2, near), 0);
+    assert_true(radius2 == 3.0f);
+    photon_map_free(map);
+}
+
+typedef struct {
+    const StoredPhoton *first;
+    unsigned char *seen; // how often each photon was in a run
+    size_t count;
+} Seen;
+
+static void mark_seen(const StoredPhoton *run, size_t count, void *user)
+{
+    Seen *seen = user;
+    assert_true(run >= seen->first && run + count <= seen->first + seen->count);
+    for (size_t i = 0; i < count; i++)
+        seen->seen[run - seen->first + (ptrdiff_t)i]++;
+}
+
+static void check_visit(const PhotonMap *map, Vec3 point, float radius)
+{
+    Seen seen = {photon_map_photons(map), NULL, photon_map_count(map)};
+    seen.seen = calloc(seen.count + 1, 1);
+    assert_non_null(seen.seen);
+    photon_map_visit(map, point, radius, mark_seen, &seen);
+    for (size_t i = 0; i < seen.count; i++) {
+        bool in_reach = distance2_to(&seen.first[i], point) < radius * radius;
+        assert_true(in_reach ? seen.seen[i] == 1 : seen.seen[i] <= 1);
+    }
+    free(seen.seen);
+}
+
+static void check_within(const PhotonMap *map, Vec3 point, float radius)
+{
+    size_t count = photon_map_count(map);
+    float *sorted = sorted_distances(map, point);
+    size_t expected = count_below(sorted, count, radius * radius);
+    for (size_t room = 0; room <= expected + 1; room += 1 + expected / 3) {
+        NearPhoton *near = malloc((room + 1) * sizeof *near);
+        assert_non_null(near);
+        near[room].distance2 = -1.0f;
+        assert_int_equal(photon_map_within(map, point, radius, near, room), expected);
+        assert_true(near[room].distance2 == -1.0f);
+        size_t written = expected < room ? expected : room;
+        for (size_t i = 0; i < written; i++)
+            assert_true(near[i].distance2 < radius * radius);
+        assert_distinct(near, written);
+        free(near);
+    }
+    free(sorted);
+}
+
+static void test_visit_and_within(void **state)
+{
+    (void)state;
+    static const size_t counts[] = {0, 1, 2, 15, 16, 17, 31, 32, 33, 63, 64, 65, 127, 1000, 20000};
+    static const float radii[] = {0.0f, 0.01f, 0.2f, 1.0f, 1000.0f};
+    for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++)
+        for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+            PhotonMap *map = make_map((Arrangement)arrangement, counts[i], 6);
+            Rng rng = rng_create(7, i);
+            for (int which = 0; which < 20; which++) {
+                Vec3 point = make_query(map, (Arrangement)arrangement, which % 4, &rng);
+                check_visit(map, point, radii[which % 5]);
+                check_within(map, point, radii[which % 5]);
+            }
+            photon_map_free(map);
+        }
+}
+
+// The header's example, word for word.
+static void test_example_of_the_header(void **state)
+{
+    (void)state;
+    const size_t count = 20000;
+    StoredPhoton *photons = make_photons(CUBE, count, 8);
+    Vec3 point = vec3(0.1f, 0.2f, -0.3f);
+    Error error = {""};
+
+    PhotonMap *map = photon_map_build(photons, count, &error); // takes the array over and reorders it
+    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(50)];
+    float radius2 = 0.1f * 0.1f;
+    size_t found = photon_map_nearest(map, point, 50, &radius2, near);
+
+    // 20000 photons on 8 m³ are 10 within 0.1 m, on average.
+    float *sorted = sorted_distances(map, point);
+    assert_true(found > 0 && found < 50);
+    assert_int_equal(found, count_below(sorted, count, 0.1f * 0.1f));
+    assert_true(radius2 == 0.1f * 0.1f);
+    radius2 = 1.0f;
+    assert_int_equal(photon_map_nearest(map, point, 50, &radius2, near), 50);
+    assert_true(radius2 == sorted[49]);
+    free(sorted);
+    photon_map_free(map);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_nearest_of_few),    cmocka_unit_test(test_nearest_of_1000),
+        cmocka_unit_test(test_nearest_of_100000), cmocka_unit_test(test_no_photons_wanted),
+        cmocka_unit_test(test_visit_and_within),  cmocka_unit_test(test_example_of_the_header),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

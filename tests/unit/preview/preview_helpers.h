@@ -1,0 +1,165 @@
+// Runs of students' code in the preview's helper processes: what their tests share. Steps are built in a folder of the
+// test's own, each case in a folder of its name; "good" is there always.
+#ifndef PHOTONLAB_TESTS_PREVIEW_HELPERS_H
+#define PHOTONLAB_TESTS_PREVIEW_HELPERS_H
+
+#include "preview/run/broker.h"
+#include "unit/test_common.h"
+
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static Scene *scene;
+static Broker *broker;
+static char folder[] = "/tmp/photonlab_preview_XXXXXX";
+
+#define DIFFUSE "1_diffuse_photon_map/1.3_scatter_diffuse"
+#define LOOP    "1_diffuse_photon_map/1.5_trace_photon"
+#define IN_DIFFUSE(body)                                                                                               \
+    "#include \"photonlab.h\"\nVec3 scatter_diffuse(Vec3 n, Rng *rng) { (void)rng; " body " return n; }\n"
+#define IN_LOOP(body)                                                                                                  \
+    "#include \"photonlab.h\"\nvoid trace_photon(PhotonTrace *t, Photon p, Rng *rng) "                                 \
+    "{ (void)t, (void)p, (void)rng; " body " }\n"
+
+// A student's step: the folder's name, the step's file without ".c", and what it holds.
+typedef struct {
+    const char *name, *file, *code;
+} Fault;
+
+static inline void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+// Appends the command that builds it.
+static inline int prepare_fault(const Fault *fault, char *command, size_t size)
+{
+    char path[1024];
+    snprintf(path, sizeof path, "%s/%s", folder, fault->name);
+    assert_int_equal(mkdir(path, 0700), 0);
+    snprintf(path, sizeof path, "%s/%s/1_diffuse_photon_map", folder, fault->name);
+    assert_int_equal(mkdir(path, 0700), 0);
+    snprintf(path, sizeof path, "%s/%s/%s.c", folder, fault->name, fault->file);
+    write_text(path, fault->code);
+    return snprintf(command, size, "build %s/%s & ", fault->name, fault->file);
+}
+
+// Side by side; only lines and functions are wanted of what a debugger can know.
+static inline void build_faults(const Fault *faults, size_t count)
+{
+    static const Fault good = {"good", DIFFUSE, "#include \"../../solution_1.3.c\"\n"};
+    char command[8192];
+    int length = snprintf(
+        command, sizeof command,
+        "cp solutions/" DIFFUSE ".c %s/solution_1.3.c; here=$(pwd); cd %s || exit 1; "
+        "build() { ${CC:-cc} -O0 -g1 -fPIC -shared -D_DEFAULT_SOURCE -w -I\"$here/lib\" \"$1.c\" -o \"$1.so\" || "
+        "echo \"$1\" >>failed; }; ",
+        folder, folder);
+    length += prepare_fault(&good, command + length, sizeof command - (size_t)length);
+    for (size_t i = 0; i < count; i++)
+        length += prepare_fault(&faults[i], command + length, sizeof command - (size_t)length);
+    snprintf(command + length, sizeof command - (size_t)length, "wait; test ! -e failed");
+    assert_int_equal(system(command), 0);
+}
+
+// ---- runs
+
+static inline RunRequest scatter_request(const char *name, char *code, size_t size)
+{
+    if (name)
+        snprintf(code, size, "%s/%s", folder, name);
+    return (RunRequest){.kind = RUN_SCATTER, .code = name ? code : NULL, .seed = 7, .photons = 4000, .recorded = 50};
+}
+
+static inline RunStatus finish(Run *run)
+{
+    RunStatus status = run_poll(run);
+    for (double until = clock_seconds() + 20.0; status.state == RUN_GOING && clock_seconds() < until;) {
+        run_wait(run, 0.05);
+        status = run_poll(run);
+    }
+    return status;
+}
+
+static inline Run *start(const RunRequest *request)
+{
+    Error error = {""};
+    Run *run = run_start(broker, request, &error);
+    if (!run)
+        fail_msg("%s", error.message);
+    return run;
+}
+
+static inline PhotonPass pass_of(const RunRequest *request)
+{
+    PhotonPassOptions options = {.photons = request->photons,
+                                 .depth = scene->settings.depth,
+                                 .seed = request->seed,
+                                 .keep = KEEP_ALL,
+                                 .threads = 2};
+    PhotonPass pass;
+    assert_true(photon_pass_run(scene, &options, &pass, NULL));
+    return pass;
+}
+
+static inline void check_photons(const Scatter *scatter, const PhotonPass *pass, const char *what)
+{
+    if (scatter->count != pass->rest.count)
+        fail_msg("%s: %zu photons, expected %zu", what, scatter->count, pass->rest.count);
+    for (size_t i = 0; i < scatter->count; i++)
+        if (memcmp(&scatter->photons[i].at, &pass->rest.photons[i], sizeof(StoredPhoton)) != 0)
+            fail_msg("%s: photon %zu differs", what, i);
+}
+
+static inline void good_run(const char *what)
+{
+    char code[1024];
+    RunRequest request = scatter_request("good", code, sizeof code);
+    PhotonPass pass = pass_of(&request);
+    Run *run = start(&request);
+    RunStatus status = finish(run);
+    if (status.state != RUN_DONE)
+        fail_msg("%s: %s", what, status.failure);
+    Scatter scatter = run_take_scatter(run);
+    check_photons(&scatter, &pass, what);
+    assert_int_equal(scatter.states[2], STEP_STUDENT);
+    run_free(run);
+    scatter_free(&scatter);
+    photon_pass_free(&pass);
+}
+
+// ---- for cmocka's group setup and teardown
+
+static inline int preview_start(void **state, const Fault *faults, size_t count)
+{
+    Error error = {""};
+    char source[1024];
+    setenv("ASAN_OPTIONS", "detect_leaks=0", 0);
+    scene = scene_load("scenes/box_dispersion.yaml", &error);
+    bool made = mkdtemp(folder) != NULL;
+    snprintf(source, sizeof source, "%s/undefined", folder);
+    broker = scene && made ? broker_start(scene, source, &error) : NULL;
+    if (!broker) {
+        print_error("%s\n", error.message);
+        return -1;
+    }
+    broker_workers(broker, 2);
+    build_faults(faults, count);
+    return load_reference_steps(state); // after the helper was forked
+}
+
+static inline int preview_end(void **state)
+{
+    (void)state;
+    char command[1024];
+    broker_stop(broker);
+    scene_free(scene);
+    snprintf(command, sizeof command, "rm -rf %s", folder);
+    return system(command);
+}
+
+#endif

@@ -1,0 +1,126 @@
+// What stands on a canvas: batches of vertices, words, pictures; and its size.
+#include "unit/preview/canvas_helpers.h"
+
+static void a_batch_is_drawn_in_parts(void **state)
+{
+    (void)state;
+    Canvas *canvas = new_canvas();
+    Batch *batch = batch_create(canvas);
+    Vertex points[8];
+    for (int i = 0; i < 8; i++)
+        points[i] = (Vertex){10.5f * (float)i + 0.5f, 5.5f, 0, 255, 255, 255, 255};
+    const DrawStyle style = {.kind = DRAW_POINTS};
+    assert_int_equal(batch_count(batch), 0);
+    batch_upload(canvas, batch, points, 8);
+    assert_int_equal(batch_count(batch), 8);
+    static const struct {
+        size_t first, count;
+        int drawn;
+    } PARTS[] = {{0, 8, 8}, {2, 3, 3}, {6, 100, 2}, {8, 1, 0}, {1000, SIZE_MAX, 0}, {1, SIZE_MAX, 7}, {3, 0, 0}};
+    for (size_t i = 0; i < sizeof PARTS / sizeof *PARTS; i++) {
+        canvas_begin(canvas);
+        view_pixels(canvas);
+        batch_draw(canvas, batch, PARTS[i].first, PARTS[i].count, &style);
+        look(canvas);
+        assert_int_equal(count_all(), PARTS[i].drawn);
+    }
+    batch_upload(canvas, batch, points, 1);
+    canvas_begin(canvas);
+    view_pixels(canvas);
+    batch_draw(canvas, batch, 0, 8, &style);
+    look(canvas);
+    assert_int_equal(count_all(), 1);
+    batch_upload(canvas, batch, NULL, 0);
+    batch_draw(canvas, batch, 0, 8, &style);
+    batch_free(canvas, batch);
+    canvas_free(canvas);
+}
+
+static void words_stay_in_their_lines(void **state)
+{
+    (void)state;
+    static const uint8_t WHITE[4] = {255, 255, 255, 255};
+    Canvas *canvas = new_canvas();
+    canvas_begin(canvas);
+    canvas_text(canvas, 20, 30, 1, WHITE, "photon\n~|@ \xc2\xb5\x01\x7f");
+    look(canvas);
+    int width = (int)canvas_text_width(1, "photon");
+    if (count_all() == 0) {
+        print_message("skipped: built without stb_easy_font\n");
+        canvas_free(canvas);
+        skip();
+    }
+    int first = count_lit(20, 30, width, 12), second = count_lit(20, 42, 60, 12);
+    assert_true(width > 25 && width < 60);
+    assert_true(first > 50 && second > 30);
+    assert_int_equal(count_all(), first + second);
+    assert_true(canvas_text_width(2, "photon") == 2.0f * (float)width);
+    assert_true(canvas_text_width(1, "photon\nx") == (float)width);
+    assert_true(canvas_text_width(1, "\xc2\xb5") == canvas_text_width(1, "?"));
+    assert_true(canvas_text_width(1, "0 ± 2") == canvas_text_width(1, "0 +- 2"));
+    canvas_begin(canvas);
+    canvas_text(canvas, 20, 30, 2, WHITE, "photon");
+    look(canvas);
+    assert_int_equal(count_all(), 4 * first);
+    canvas_free(canvas);
+}
+
+static void a_picture_stands_upright(void **state)
+{
+    (void)state;
+    static const uint8_t PICTURE[16] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 255};
+    Canvas *canvas = new_canvas();
+    canvas_begin(canvas);
+    canvas_picture(canvas, 30, 40, 40, 20, PICTURE, 2, 2);
+    look(canvas);
+    assert_pixel(30, 40, 255, 0, 0);
+    assert_pixel(69, 40, 0, 255, 0);
+    assert_pixel(30, 59, 0, 0, 255);
+    assert_pixel(69, 59, 9, 9, 9);
+    assert_int_equal(count_all(), 800);
+    // Afterwards all is as it was: the program and the view.
+    static const float SAME[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    canvas_view(canvas, 100, 0, 20, 20, SAME);
+    canvas_picture(canvas, 0, 0, 1, 1, PICTURE, 2, 2);
+    Vertex point = {0.05f, -0.05f, 0, 1, 2, 3, 255};
+    canvas_draw(canvas, &point, 1, &(DrawStyle){.kind = DRAW_POINTS});
+    look(canvas);
+    assert_pixel(110, 10, 1, 2, 3);
+    canvas_free(canvas);
+}
+
+static void a_canvas_changes_its_size(void **state)
+{
+    (void)state;
+    Canvas *canvas = new_canvas();
+    Error error = {""};
+    assert_false(canvas_resize(canvas, 0, 10, &error));
+    assert_non_null(strstr(error.message, "0 x 10"));
+    error.message[0] = '\0';
+    assert_false(canvas_resize(canvas, 1 << 30, 10, &error));
+    assert_int_equal(canvas_width(canvas), WIDTH);
+    assert_true(canvas_resize(canvas, 33, 21, &error));
+    assert_int_equal(canvas_width(canvas), 33);
+    assert_int_equal(canvas_height(canvas), 21);
+    canvas_begin(canvas);
+    canvas_rectangle(canvas, 32, 20, 50, 50, (const uint8_t[4]){1, 2, 3, 255});
+    memset(seen, 77, sizeof seen);
+    canvas_read(canvas, seen);
+    const size_t last = 4 * (33 * 21 - 1);
+    assert_memory_equal(seen + last, ((const uint8_t[5]){1, 2, 3, 255, 77}), 5);
+    assert_int_equal(seen[last - 1], 255);
+    assert_int_equal(seen[last - 2], 0);
+    assert_true(strlen(canvas_renderer(canvas)) > 0);
+    canvas_free(canvas);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_batch_is_drawn_in_parts),
+        cmocka_unit_test(words_stay_in_their_lines),
+        cmocka_unit_test(a_picture_stands_upright),
+        cmocka_unit_test(a_canvas_changes_its_size),
+    };
+    return cmocka_run_group_tests(tests, start, end);
+}

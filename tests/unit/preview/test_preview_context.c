@@ -1,0 +1,202 @@
+// Where the preview draws: the same bytes from OSMesa, EGL and a window, and what is said when they are missing.
+#include "preview/draw/context.h"
+#include "preview/window.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { WIDTH = 160, HEIGHT = 120 };
+
+// ---- The same bytes from everywhere ----
+
+static uint8_t seen[4 * WIDTH * HEIGHT];
+
+static int count_all(void)
+{
+    int count = 0;
+    for (size_t i = 0; i < sizeof seen; i += 4)
+        count += seen[i] || seen[i + 1] || seen[i + 2];
+    return count;
+}
+
+// Some of everything, with numbers that fall between pixels.
+static bool draw_much(GlLoader loader, uint8_t *rgba)
+{
+    Error error = {""};
+    Canvas *canvas = canvas_create(loader, WIDTH, HEIGHT, &error);
+    if (!canvas) {
+        print_message("%s\n", error.message);
+        return false;
+    }
+    static const float LENS[16] = {1.3f, 0.1f, 0, 0.2f, 0, 1.7f, 0, 0.1f, 0.2f, 0, 1, 0.3f, 0, 0, 0, 1.5f};
+    static Vertex vertices[3000];
+    uint32_t random = 1;
+    for (size_t i = 0; i < 3000; i++) {
+        float p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = (float)((random = random * 1664525u + 1013904223u) >> 8) / (float)(1 << 23) - 1.0f;
+        vertices[i] = (Vertex){p[0], p[1], p[2], (uint8_t)random, (uint8_t)(random >> 8), (uint8_t)(random >> 16), 180};
+    }
+    canvas_begin(canvas);
+    canvas_view(canvas, 3, 5, 140, 101, LENS);
+    canvas_draw(canvas, vertices, 60, &(DrawStyle){.kind = DRAW_TRIANGLES});
+    canvas_draw(canvas, vertices + 60, 200, &(DrawStyle){.kind = DRAW_LINES});
+    canvas_draw(canvas, vertices, 3000, &(DrawStyle){.kind = DRAW_POINTS, .additive = true, .exposure = 0.37f});
+    canvas_draw(canvas, vertices, 100, &(DrawStyle){.kind = DRAW_POINTS, .point_size = 3});
+    canvas_picture(canvas, 100.3f, 70.2f, 41.7f, 33.3f, (const uint8_t *)vertices, 13, 9);
+    canvas_text(canvas, 5, 5, 1, (const uint8_t[4]){255, 255, 255, 200}, "the same bytes");
+    canvas_read(canvas, rgba);
+    canvas_free(canvas);
+    return true;
+}
+
+// In a process of its own, since two OpenGL libraries need not get along in one: draws and sends the bytes.
+static bool draw_elsewhere(ContextKind kind, bool in_window, uint8_t *rgba)
+{
+    int ends[2];
+    assert_int_equal(pipe(ends), 0);
+    pid_t child = fork();
+    if (child == 0) {
+        static uint8_t bytes[4 * WIDTH * HEIGHT];
+        Error error = {""};
+        Context *own = in_window ? NULL : context_create(kind, &error);
+        Window *window = in_window ? window_create_hidden(50, 50, &error) : NULL;
+        if (!own && !window)
+            print_message("skipped: %s\n", error.message);
+        else if (draw_much(own ? context_loader(own) : window_loader(window), bytes))
+            for (size_t sent = 0; sent < sizeof bytes;)
+                sent += (size_t)write(ends[1], bytes + sent, sizeof bytes - sent);
+        context_free(own);
+        window_free(window);
+        _exit(0);
+    }
+    close(ends[1]);
+    size_t got = 0;
+    for (ssize_t n; got < sizeof seen && (n = read(ends[0], rgba + got, sizeof seen - got)) > 0;)
+        got += (size_t)n;
+    close(ends[0]);
+    int status;
+    waitpid(child, &status, 0);
+    assert_int_equal(status, 0);
+    return got == sizeof seen;
+}
+
+static void osmesa_and_egl_draw_the_same_bytes(void **state)
+{
+    (void)state;
+    static uint8_t other[sizeof seen];
+    if (!draw_elsewhere(CONTEXT_OSMESA, false, seen) || !draw_elsewhere(CONTEXT_EGL, false, other))
+        skip();
+    assert_true(count_all() > 5000);
+    assert_memory_equal(seen, other, sizeof seen);
+}
+
+// A display of our own where there is none; 0 when there is no Xvfb.
+static pid_t start_display(void)
+{
+    int ends[2];
+    assert_int_equal(pipe(ends), 0);
+    pid_t server = fork();
+    if (server == 0) {
+        char number[16];
+        snprintf(number, sizeof number, "%d", ends[1]);
+        close(ends[0]);
+        if (!freopen("/dev/null", "w", stderr)) // it tells of every display that is taken
+            _exit(127);
+        execlp("Xvfb", "Xvfb", "-displayfd", number, "-screen", "0", "320x240x24", "-nolisten", "tcp", (char *)NULL);
+        _exit(127);
+    }
+    close(ends[1]);
+    char name[16] = ":", *end = name + 1;
+    while (end < name + sizeof name - 1 && read(ends[0], end, 1) == 1 && *end != '\n')
+        end++;
+    close(ends[0]);
+    *end = '\0';
+    if (end == name + 1) {
+        waitpid(server, NULL, 0);
+        return 0;
+    }
+    setenv("DISPLAY", name, 1);
+    return server;
+}
+
+static void a_window_draws_the_same_bytes(void **state)
+{
+    (void)state;
+    static uint8_t other[sizeof seen];
+    if (!draw_elsewhere(CONTEXT_ANY, false, seen))
+        skip();
+    pid_t server = start_display();
+    bool drawn = (server || getenv("DISPLAY")) && draw_elsewhere(CONTEXT_ANY, true, other);
+    if (server) {
+        kill(server, SIGTERM);
+        waitpid(server, NULL, 0);
+        unsetenv("DISPLAY");
+    }
+    if (!drawn) {
+        print_message("skipped: neither Xvfb nor a display with OpenGL 3.3\n");
+        skip();
+    }
+    assert_true(count_all() > 5000);
+    assert_memory_equal(seen, other, sizeof seen);
+}
+
+// ---- What is missing ----
+
+static void what_is_missing_is_named(void **state)
+{
+    (void)state;
+    Error error = {""}, osmesa = {""}, window = {""}, screen = {""};
+    setenv("PHOTONLAB_WITHOUT", "osmesa,egl,glfw", 1);
+    assert_null(context_create(CONTEXT_ANY, &error));
+    assert_non_null(strstr(error.message, "apt-get install libosmesa6"));
+    assert_non_null(strstr(error.message, "libegl1"));
+    assert_null(context_create(CONTEXT_OSMESA, &osmesa));
+    assert_non_null(strstr(osmesa.message, "there is no libOSMesa"));
+    assert_null(window_create("", 100, 100, &window));
+    assert_non_null(strstr(window.message, "GLFW"));
+    assert_non_null(strstr(window.message, "apt-get install"));
+    unsetenv("PHOTONLAB_WITHOUT");
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+#ifndef __APPLE__
+    assert_null(window_create("", 100, 100, &screen));
+    assert_true(strstr(screen.message, "no display") || strstr(screen.message, "GLFW"));
+#endif
+}
+
+static void egl_serves_without_osmesa(void **state)
+{
+    (void)state;
+    static uint8_t other[sizeof seen];
+    bool have_egl = draw_elsewhere(CONTEXT_EGL, false, seen);
+    setenv("PHOTONLAB_WITHOUT", "osmesa", 1);
+    bool drawn = draw_elsewhere(CONTEXT_ANY, false, other);
+    unsetenv("PHOTONLAB_WITHOUT");
+    if (!have_egl)
+        skip();
+    assert_true(drawn);
+    assert_memory_equal(seen, other, sizeof seen);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(osmesa_and_egl_draw_the_same_bytes),
+        cmocka_unit_test(a_window_draws_the_same_bytes),
+        cmocka_unit_test(egl_serves_without_osmesa),
+        cmocka_unit_test(what_is_missing_is_named),
+    };
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1); // the same on every machine
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

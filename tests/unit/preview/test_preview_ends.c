@@ -1,0 +1,138 @@
+// Helper and workers end when they should, and leave nothing behind.
+#include "unit/preview/preview_helpers.h"
+
+#include <dirent.h>
+#include <signal.h>
+#include <sys/wait.h>
+
+static const Fault endless = {"endless", LOOP, IN_LOOP("for (volatile int i = 0;; i++) {}")};
+
+static int count_files(void)
+{
+    int count = 0;
+    DIR *directory = opendir("/proc/self/fd");
+    while (directory && readdir(directory))
+        count++;
+    if (directory)
+        closedir(directory);
+    return count;
+}
+
+// Processes that the helper has, dead ones included; −1 where the system does not tell.
+static int count_workers(void)
+{
+    char path[128], text[4096] = "";
+    snprintf(path, sizeof path, "/proc/%ld/task/%ld/children", (long)broker->pid, (long)broker->pid);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return -1;
+    int count = 0;
+    if (fgets(text, sizeof text, file))
+        for (char *word = strtok(text, " "); word; word = strtok(NULL, " "))
+            count++;
+    fclose(file);
+    return count;
+}
+
+static void nothing_is_left_of_200_runs(void **state)
+{
+    (void)state;
+    char code[1024];
+    int before = count_files();
+    for (int i = 0; i < 200; i++) {
+        RunRequest request = scatter_request(i % 5 ? "endless" : NULL, code, sizeof code);
+        Run *run = start(&request);
+        if (i % 2)
+            run_wait(run, 0.001);
+        run_poll(run);
+        run_free(run);
+    }
+    assert_int_equal(count_files(), before);
+    for (double until = clock_seconds() + 5.0; count_workers() > 0 && clock_seconds() < until;)
+        usleep(1000);
+    assert_true(count_workers() <= 0);
+    assert_int_equal(waitpid(-1, NULL, WNOHANG), 0); // the helper lives, nobody else is there
+    good_run("after 200 runs");
+}
+
+// Dead, if not yet buried: whose task that is differs.
+static bool is_zombie(long pid)
+{
+    char path[64], text[512] = "";
+    snprintf(path, sizeof path, "/proc/%ld/stat", pid);
+    FILE *file = fopen(path, "r");
+    bool zombie = file && fgets(text, sizeof text, file) && strstr(text, ") Z");
+    if (file)
+        fclose(file);
+    return zombie;
+}
+
+static bool is_gone(long pid)
+{
+    for (double until = clock_seconds() + 5.0; clock_seconds() < until; usleep(1000))
+        if (kill((pid_t)pid, 0) != 0 || is_zombie(pid))
+            return true;
+    return false;
+}
+
+// A window that is killed takes helper and workers with it.
+static void the_helper_ends_with_the_window(void **state)
+{
+    (void)state;
+    int told[2];
+    assert_int_equal(pipe(told), 0);
+    pid_t window = fork();
+    if (window == 0) {
+        char code[1024];
+        Broker *own = broker_start(scene, NULL, NULL);
+        RunRequest request = scatter_request("endless", code, sizeof code);
+        Run *run = own ? run_start(own, &request, NULL) : NULL;
+        long pids[2] = {own ? (long)own->pid : 0, 0};
+        while (run && !(pids[1] = own->hearts[0].pid))
+            usleep(1000);
+        if (write(told[1], pids, sizeof pids) == (ssize_t)sizeof pids)
+            pause();
+        _exit(1);
+    }
+    long pids[2] = {0, 0};
+    assert_int_equal(read(told[0], pids, sizeof pids), sizeof pids);
+    assert_true(pids[0] > 0 && pids[1] > 0);
+    kill(window, SIGKILL);
+    waitpid(window, NULL, 0);
+    assert_true(is_gone(pids[1]));
+    close(told[0]);
+    close(told[1]);
+}
+
+static void a_lost_helper_is_told(void **state)
+{
+    (void)state;
+    char code[1024];
+    Error error = {""};
+    Broker *own = broker_start(scene, NULL, &error);
+    assert_non_null(own);
+    RunRequest request = scatter_request("endless", code, sizeof code);
+    Run *run = run_start(own, &request, &error);
+    kill(own->pid, SIGKILL);
+    RunStatus status = finish(run);
+    assert_int_equal(status.state, RUN_FAILED);
+    assert_string_equal(status.failure, "the preview's helper process is gone; start the preview again");
+    assert_null(run_start(own, &request, &error));
+    assert_string_equal(error.message, "the preview's helper process is gone; start it again");
+    broker_stop(own);
+}
+
+static int set_up(void **state)
+{
+    return preview_start(state, &endless, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_is_left_of_200_runs),
+        cmocka_unit_test(the_helper_ends_with_the_window),
+        cmocka_unit_test(a_lost_helper_is_told),
+    };
+    return cmocka_run_group_tests(tests, set_up, preview_end);
+}

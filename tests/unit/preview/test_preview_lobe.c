@@ -1,0 +1,193 @@
+// The preview's lobe: the equation's surface, and the cloud of a step's samples about it.
+#include "preview/view/view_internal.h"
+#include "unit/test_common.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// Over the upper hemisphere: what is missing to 1 is what points into the surface.
+static double density_integral(const View *view, StepChoice play, const LobeTable *table)
+{
+    double sum = 0;
+    int rings = 600, spokes = 600;
+    for (int i = 0; i < rings; i++)
+        for (int j = 0; j < spokes; j++) {
+            float z = ((float)i + 0.5f) / (float)rings, phi = 2 * PI * ((float)j + 0.5f) / (float)spokes;
+            float level = sqrtf(1 - z * z);
+            Vec3 d = vec3(level * cosf(phi), level * sinf(phi), z);
+            sum += (double)lobe_density(view, play, table, d);
+        }
+    return sum * 2 * (double)PI / (rings * spokes);
+}
+
+static void densities_add_up(void **state)
+{
+    (void)state;
+    LobeTable *table = malloc(sizeof *table);
+    assert_non_null(table);
+    View view = {.exponent = 20, .angle = 60};
+    lobe_table_fill(table, view.exponent);
+    float above = lobe_above_surface(table, cosf(60 * PI / 180)) * 21 / (2 * PI);
+    StepChoice phong = {GLOSSY_PHONG, false}, source = {GLOSSY_SOURCE_TEXT, false};
+    assert_true(fabs(density_integral(&view, phong, table) - (double)above) < 2e-3);
+    assert_true(above < 0.999f);
+    assert_true(fabs(density_integral(&view, source, table) - 1) < 2e-3);
+    view.diffuse = true;
+    assert_true(fabs(density_integral(&view, phong, table) - 1) < 2e-3);
+    assert_true(lobe_density(&view, phong, table, vec3(0, 0, -1)) == 0);
+    free(table);
+}
+
+// ---- the cloud
+
+typedef enum { RIGHT, INSIDE_OUT, UNTURNED, TOO_LONG } StepFault;
+
+static const struct {
+    const char *name;
+    float exponent, angle;
+    bool diffuse, source_text;
+} settings[] = {
+    // half of the third's lobe lies below the horizon
+    {"20 at 60 degrees", 20, 60, false, false}, {"100 at 80 degrees", 100, 80, false, false},
+    {"5 at 80 degrees", 5, 80, false, false},   {"20 at 60 degrees, by step 2.3", 20, 60, false, true},
+    {"diffuse", 20, 60, true, false},
+};
+#ifdef SANITIZED
+#define SETTINGS 1
+#else
+#define SETTINGS (sizeof settings / sizeof *settings)
+#endif
+#define SAMPLES 20000
+
+static Vec3 sample(const View *view, StepFault fault, Rng *rng, float *weight)
+{
+    float angle = fault == UNTURNED ? 0.0f : view->angle * PI / 180.0f;
+    Vec3 normal = vec3(0, 0, 1), out = normal;
+    *weight = 1.0f;
+    if (view->diffuse)
+        out = steps.scatter_diffuse(fault == UNTURNED ? vec3(sinf(1.0f), 0, cosf(1.0f)) : normal, rng);
+    else if (!steps.scatter_glossy(vec3(sinf(angle), 0, -cosf(angle)), normal, view->exponent, rng, &out, weight))
+        *weight = 0.0f;
+    return vec3_scale(out, fault == INSIDE_OUT ? -1.0f : fault == TOO_LONG ? 1.3f : 1.0f);
+}
+
+static LobeSamples samples_of(const View *view, StepFault fault)
+{
+    LobeSamples samples = {calloc(SAMPLES, sizeof(Vec3)), calloc(SAMPLES, sizeof(float)), SAMPLES};
+    assert_true(samples.directions && samples.weights);
+    for (size_t i = 0; i < SAMPLES; i++) {
+        Rng rng = rng_create(11, i);
+        samples.directions[i] = sample(view, fault, &rng, &samples.weights[i]);
+    }
+    return samples;
+}
+
+// Means over the cloud's points, as parts of the lobe's length: how far from the surface, how far outwards of it, and
+// how far the noise alone of an estimate by 300 neighbours puts them from it (a normal deviate's size is 0.798 on
+// average).
+typedef struct {
+    double apart, outwards, noise;
+    size_t count, absorbed, too_long, below;
+} Distance;
+
+static Distance cloud_distance(size_t setting, StepFault fault)
+{
+    const View here = {.exponent = settings[setting].exponent,
+                       .angle = settings[setting].angle,
+                       .diffuse = settings[setting].diffuse},
+               *view = &here;
+    StepChoice play = {settings[setting].source_text ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG, false};
+    Side side;
+    Lobe lobe;
+    Vertices cloud = {.items = NULL};
+    Distance distance = {0};
+    memset(&side, 0, sizeof side);
+    steps_play(play);
+    side.lobe = samples_of(view, fault);
+    assert_true(lobe_prepare(view, play, &lobe));
+    lobe_cloud(&lobe, &side, &cloud);
+    for (size_t i = 0; i < cloud.count; i++) {
+        Vec3 local = vec3(cloud.items[i].x, -cloud.items[i].z, cloud.items[i].y); // up is +y on the stage
+        float reach = vec3_length(local);
+        float density = lobe_density(view, play, lobe.table, vec3_scale(local, 1.0f / reach));
+        double out = (double)(reach - density / lobe.peak);
+        distance.apart += fabs(out) / (double)cloud.count;
+        distance.outwards += out / (double)cloud.count;
+        distance.noise += 0.798 / sqrt(300.0) * (double)(density / lobe.peak) / (double)cloud.count;
+    }
+    distance.count = cloud.count;
+    distance.absorbed = side.lobe_absorbed;
+    distance.too_long = side.lobe_long;
+    distance.below = side.lobe_below;
+    free(lobe.table);
+    lobe_samples_free(&side.lobe);
+    vertices_free(&cloud);
+    return distance;
+}
+
+static void right_samples_lie_on_the_surface(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SETTINGS; i++) {
+        Distance d = cloud_distance(i, RIGHT);
+        if (!(d.apart < 1.25 * d.noise && fabs(d.outwards) < 0.01))
+            fail_msg("%s: %.4f apart, noise %.4f, %.4f outwards", settings[i].name, d.apart, d.noise, d.outwards);
+        assert_int_equal(d.count + d.absorbed, SAMPLES);
+        assert_int_equal(d.too_long + d.below, 0);
+    }
+}
+
+// Each fault moves the points far off, and is counted where a count is kept of it.
+static void wrong_samples_do_not(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SETTINGS; i += 4) { // a glossy one and the diffuse one
+        Distance inside_out = cloud_distance(i, INSIDE_OUT), unturned = cloud_distance(i, UNTURNED);
+        Distance too_long = cloud_distance(i, TOO_LONG), right = cloud_distance(i, RIGHT);
+        assert_true(inside_out.apart > 5.0 * right.noise && inside_out.below == inside_out.count);
+        assert_true(unturned.apart > 5.0 * right.noise);
+        assert_true(too_long.apart > 5.0 * right.noise && too_long.too_long == too_long.count);
+        // 1.3 times as long: the surface's mean reach is the noise over its share of it
+        assert_within(too_long.outwards, 0.3 * right.noise * sqrt(300.0) / 0.798, 0.015, "points too far out");
+    }
+}
+
+// What is no direction at all is counted, and makes no point.
+static void nothing_and_no_number_are_left_out(void **state)
+{
+    (void)state;
+    Side side;
+    Lobe lobe;
+    Vertices cloud = {.items = NULL};
+    View view = {.exponent = 20, .angle = 60};
+    memset(&side, 0, sizeof side);
+    steps_play(PLAY_DEFAULT);
+    side.lobe = samples_of(&view, RIGHT);
+    size_t sound = 0;
+    for (size_t i = 0; i < SAMPLES; i++) {
+        if (i % 10 == 0)
+            side.lobe.directions[i] = i % 20 ? vec3(NAN, 0, 1) : vec3(0, 0, 0);
+        else
+            sound += side.lobe.weights[i] > 0.0f;
+    }
+    assert_true(lobe_prepare(&view, PLAY_DEFAULT, &lobe));
+    lobe_cloud(&lobe, &side, &cloud);
+    assert_int_equal(cloud.count, sound);
+    assert_int_equal(side.lobe_long, SAMPLES - side.lobe_absorbed - sound);
+    for (size_t i = 0; i < cloud.count; i++)
+        assert_true(isfinite(cloud.items[i].x + cloud.items[i].y + cloud.items[i].z));
+    free(lobe.table);
+    lobe_samples_free(&side.lobe);
+    vertices_free(&cloud);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(densities_add_up),
+        cmocka_unit_test(right_samples_lie_on_the_surface),
+        cmocka_unit_test(wrong_samples_do_not),
+        cmocka_unit_test(nothing_and_no_number_are_left_out),
+    };
+    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
+}

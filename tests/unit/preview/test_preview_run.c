@@ -1,0 +1,178 @@
+// Runs in helper processes give the same photons, samples and pictures as without them.
+#include "unit/preview/preview_helpers.h"
+
+static void the_photons_of_a_pass(void **state)
+{
+    (void)state;
+    char code[1024];
+    RunRequest request = scatter_request(NULL, code, sizeof code);
+    request.photons = 20000;
+    PhotonPass pass = pass_of(&request);
+    for (int workers = 1; workers <= 3; workers++) {
+        broker_workers(broker, workers);
+        Run *run = start(&request);
+        RunStatus status = finish(run);
+        assert_string_equal(status.failure, "");
+        assert_string_equal(status.notice, "");
+        assert_int_equal(status.state, RUN_DONE);
+        Scatter scatter = run_take_scatter(run);
+        check_photons(&scatter, &pass, "scatter");
+        assert_int_equal(scatter.emitted, request.photons);
+        assert_int_equal(scatter.segments, pass.segments);
+        for (int c = 0; c < 3; c++) {
+            assert_within(scatter.ledger.emitted[c], pass.ledger.emitted[c], 1e-9, "emitted");
+            assert_within(scatter.ledger.absorbed[c], pass.ledger.absorbed[c], 1e-9, "absorbed");
+            assert_within(scatter.ledger.escaped[c], pass.ledger.escaped[c], 1e-9, "escaped");
+            assert_within(scatter.ledger.chance[c], pass.ledger.chance[c], 1e-9, "chance");
+            assert_within(scatter.ledger.chance_error[c], pass.ledger.chance_error[c], 1e-9, "error of chance");
+        }
+        run_free(run);
+        scatter_free(&scatter);
+    }
+    broker_workers(broker, 2);
+    photon_pass_free(&pass);
+}
+
+// Legs follow on each other, and a photon has flown as far as the legs to it are long.
+static void legs_and_flight(void **state)
+{
+    (void)state;
+    char code[1024];
+    RunRequest request = scatter_request(NULL, code, sizeof code);
+    request.photons = request.recorded = 3000;
+    Run *run = start(&request);
+    assert_int_equal(finish(run).state, RUN_DONE);
+    Scatter scatter = run_take_scatter(run);
+    size_t photon = 0, ends[3] = {0}, followed = 0;
+    for (size_t i = 0; i < scatter.leg_count; i++) {
+        const ScatterLeg *leg = &scatter.legs[i];
+        float length = vec3_length(vec3_sub(leg->to, leg->from)), flown = leg->flown + length;
+        ends[leg->end]++;
+        assert_true(leg->path < 3000 && (i == 0 || leg->path >= leg[-1].path));
+        assert_true((leg->bounce == 0) == (leg->flown == 0.0f));
+        if (i > 0 && leg->path == leg[-1].path && leg->bounce == leg[-1].bounce + 1) {
+            assert_memory_equal(&leg->from, &leg[-1].to, sizeof leg->to);
+            assert_within(leg->flown, leg[-1].flown + vec3_length(vec3_sub(leg[-1].to, leg[-1].from)), 1e-4, "flown");
+            followed++;
+        }
+        if (leg->end != LEG_SURFACE || photon == scatter.count)
+            continue;
+        const ScatterPhoton *stored = &scatter.photons[photon]; // in the same order; mirrors and glass store none
+        if (memcmp(&stored->at.position, &leg->to, sizeof leg->to) == 0) {
+            assert_within(stored->flown, flown, 1e-4, "a photon's flight");
+            photon++;
+        }
+        assert_true((double)flown <= scatter_farthest(&scatter) * 1.00001);
+    }
+    assert_int_equal(photon, scatter.count);
+    assert_true(ends[LEG_SURFACE] > 3000 && ends[LEG_ESCAPED] > 100 && followed > 3000);
+    run_free(run);
+    scatter_free(&scatter);
+}
+
+static void lobe_is_the_step(void **state)
+{
+    (void)state;
+    RunRequest request = {.kind = RUN_LOBE, .seed = 3, .samples = 5000, .exponent = 20.0f, .angle = 60.0f};
+    Run *run = start(&request);
+    RunStatus status = finish(run);
+    assert_string_equal(status.failure, "");
+    LobeSamples samples = run_take_lobe(run);
+    assert_int_equal(samples.count, 5000);
+    long absorbed = 0;
+    Mean along;
+    memset(&along, 0, sizeof along);
+    for (size_t i = 0; i < samples.count; i++) {
+        Rng rng = rng_create(3, i);
+        Vec3 out = {0};
+        float weight = 0.0f, angle = 60.0f * PI / 180.0f;
+        Vec3 in = vec3(sinf(angle), 0.0f, -cosf(angle));
+        bool up = steps.scatter_glossy(in, vec3(0.0f, 0.0f, 1.0f), 20.0f, &rng, &out, &weight);
+        assert_true(samples.weights[i] == (up ? weight : 0.0f));
+        if (up)
+            assert_memory_equal(&out, &samples.directions[i], sizeof out);
+        absorbed += !up;
+        if (up)
+            mean_add(&along, samples.directions[i].x);
+    }
+    assert_true(absorbed > 10 && mean_value(&along) > 0.5); // the mirror direction is on the side of +x
+    run_free(run);
+    lobe_samples_free(&samples);
+}
+
+static void passes_of_a_render(void **state)
+{
+    (void)state;
+    RunRequest request = {
+        .kind = RUN_RENDER, .seed = 5, .photons = 3000, .width = 24, .height = 20, .camera = scene->camera};
+    Run *run = start(&request);
+    const Image *image = NULL;
+    int passes = 0;
+    Image first = {0, 0, NULL};
+    for (double until = clock_seconds() + 20.0; passes < 3 && clock_seconds() < until;) {
+        RunStatus status = run_poll(run);
+        assert_int_equal(status.state, RUN_GOING);
+        image = run_image(run, &passes);
+        if (passes < 3)
+            run_wait(run, 0.05);
+    }
+    assert_true(passes >= 3 && image->width == 24 && image->height == 20);
+    RenderOptions options = {.settings = scene->settings, .glass_sides = 2, .reuse = REUSE_DEFAULT, .threads = 2};
+    options.settings.width = 24;
+    options.settings.height = 20;
+    options.settings.samples = 1;
+    options.settings.photons = 3000;
+    RenderStats stats;
+    double mean[3] = {0}, seen = 0.0;
+    for (int pass = 0; pass < passes; pass++) {
+        options.seed = pass == 0 ? 5 : hash_u64(5 + (uint64_t)pass);
+        assert_true(render_image(scene, &options, &first, &stats, NULL));
+        mean[0] += (double)image_at(&first, 12, 10)->g / passes;
+        image_free(&first);
+    }
+    seen = (double)image_at(image, 12, 10)->g;
+    assert_within(seen, mean[0], 1e-5 * fabs(mean[0]), "mean of the passes");
+    run_free(run);
+}
+static void what_has_come_is_a_first_part(void **state)
+{
+    (void)state;
+    RunRequest request = {.kind = RUN_SCATTER, .seed = 7, .photons = 100000, .recorded = 10};
+    Scatter early, whole;
+    broker_workers(broker, 1);
+    Run *run = start(&request);
+    bool some = false;
+    while (!some && run_poll(run).state == RUN_GOING) {
+        run_wait(run, 0.05);
+        some = run_copy_partial(run, &early);
+    }
+    assert_true(some);
+    assert_int_equal(finish(run).state, RUN_DONE);
+    assert_false(run_copy_partial(run, &whole));
+    whole = run_take_scatter(run);
+    assert_true(early.count > 0 && early.count < whole.count / 2);
+    assert_int_equal(early.states[2], STEP_REFERENCE);
+    assert_true(early.emitted > 0 && early.emitted < 100000);
+    assert_memory_equal(early.photons, whole.photons, early.count * sizeof *early.photons);
+    scatter_free(&early);
+    scatter_free(&whole);
+    run_free(run);
+    broker_workers(broker, 2);
+}
+
+static int set_up(void **state)
+{
+    return preview_start(state, NULL, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_photons_of_a_pass),
+        cmocka_unit_test(legs_and_flight),
+        cmocka_unit_test(lobe_is_the_step),
+        cmocka_unit_test(passes_of_a_render),
+        cmocka_unit_test(what_has_come_is_a_first_part),
+    };
+    return cmocka_run_group_tests(tests, set_up, preview_end);
+}

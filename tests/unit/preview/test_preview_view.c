@@ -1,0 +1,252 @@
+// The preview's view: wireframes, colours, what is chosen of the photons; and what all that looks like.
+#include "unit/preview/canvas_leaks.h"
+#include "preview/draw/context.h"
+#include "preview/view/view_internal.h"
+#include "unit/test_common.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static size_t wire_lines(const char *name, Box *box)
+{
+    Scene *scene = scene_from_file(name);
+    Vertices list = {.items = NULL};
+    wireframe_build(scene, &list);
+    *box = box_empty();
+    for (size_t i = 0; i < list.count; i++)
+        box_add_point(box, vec3(list.items[i].x, list.items[i].y, list.items[i].z));
+    size_t lines = list.count / 2;
+    vertices_free(&list);
+    scene_free(scene);
+    return lines;
+}
+
+static void wires_show_edges_and_leave_meshes_light(void **state)
+{
+    (void)state;
+    Box box;
+    // The open room's 12 edges, the lamp's 4, and two spheres of 7 circles with 64 parts.
+    assert_int_equal(wire_lines("scenes/box_diffuse.yaml", &box), 12 + 4 + 2 * 7 * 64);
+    assert_true(fabsf(box.low.x + 1) < 1e-3f && fabsf(box.high.y - 1) < 1e-3f);
+    size_t lines = wire_lines("scenes/bumpy_glass.yaml", &box);
+    assert_true(lines > 1000 && lines < 4000); // a round mesh: few of its 100000s of edges
+}
+
+static void brightness_does_not_depend_on_the_number(void **state)
+{
+    (void)state;
+    float pixels = 400000;
+    float few = 50000 * points_exposure(50000, pixels, 3), many = 5e5f * points_exposure(500000, pixels, 1);
+    assert_true(fabsf(9 * points_exposure(100000, pixels, 3) * 100000 / many - 1) < 1e-3f);
+    assert_true(few > 0 && points_exposure(10, pixels, 1) == 1.0f);
+    Colour power = {2e-5f, 1e-5f, 0};
+    Rgba a = rgba_of_power(power, 2e-5f), b = rgba_of_power(colour_scale(power, 0.01f), 2e-7f);
+    assert_true(a.r == b.r && abs(a.g - b.g) <= 1 && a.b == b.b);
+    assert_int_equal(a.r, 255);
+    assert_true(a.g > 100 && a.g < 160 && a.b == 0);
+    Rgba dark = rgba_of_power(colour(NAN, -1, 0), 1);
+    assert_int_equal(dark.r, 0);
+}
+
+// The same photons as a side has them.
+static Scatter scatter_of(const Scene *scene, long emitted)
+{
+    PhotonPass pass = photons_of(scene, emitted, 1, PLAY_DEFAULT);
+    Scatter scatter = {.count = pass.rest.count, .emitted = emitted};
+    scatter.photons = calloc(pass.rest.count + 1, sizeof *scatter.photons);
+    assert_non_null(scatter.photons);
+    for (size_t i = 0; i < scatter.count; i++)
+        scatter.photons[i] = (ScatterPhoton){pass.rest.photons[i], (float)(i * 7919 % 1000) * 0.01f};
+    photon_pass_free(&pass);
+    return scatter;
+}
+
+static void the_prisms_colours_choose_the_screen(void **state)
+{
+    (void)state;
+    Scene *scene = scene_from_file("scenes/prism.yaml");
+    Scatter scatter = scatter_of(scene, 20000);
+    int surface = screen_busiest(scene, &scatter);
+    assert_true(surface >= 0);
+    const Flat *flat = &scene->flats[surface];
+    assert_string_equal(scene->materials[flat->material].name, "screen");
+    // Behind the prism, the colours lie apart across it: their middles differ, in order.
+    double sums[4] = {0}, counts[4] = {0};
+    for (size_t i = 0; i < scatter.count; i++) {
+        float u, v;
+        const StoredPhoton *photon = &scatter.photons[i].at;
+        if (!screen_place(flat, (uint8_t)flat->material, photon, 1e-4f, &u, &v))
+            continue;
+        assert_true(u > -0.01f && u < 1.01f && v > -0.01f && v < 1.01f);
+        Vec3 again = vec3_along(vec3_along(flat->origin, flat->edge_u, u), flat->edge_v, v);
+        assert_true(vec3_length(vec3_sub(again, photon->position)) < 2e-4f);
+        if (photon->bounce > 3)
+            continue;
+        sums[photon->colour] += (double)u;
+        counts[photon->colour]++;
+    }
+    for (int c = RED; c <= BLUE; c++)
+        assert_true(counts[c] > 100);
+    double red = sums[RED] / counts[RED], green = sums[GREEN] / counts[GREEN], blue = sums[BLUE] / counts[BLUE];
+    assert_true((red < green && green < blue) || (red > green && green > blue));
+    assert_true(fabs(blue - green) > fabs(green - red)); // normal dispersion: blue is bent the most
+    scatter_free(&scatter);
+    scene_free(scene);
+}
+
+static void cells_hold_every_photon_once(void **state)
+{
+    (void)state;
+    Scene *scene = scene_from_file("scenes/box_diffuse.yaml");
+    Scatter scatter = scatter_of(scene, 3000);
+    StoredPhoton *photons = malloc((scatter.count + 1) * sizeof *photons);
+    assert_non_null(photons);
+    for (size_t i = 0; i < scatter.count; i++)
+        photons[i] = scatter.photons[i].at;
+    Error error;
+    PhotonMap *map = photon_map_build(photons, scatter.count, &error);
+    assert_non_null(map);
+    for (int level = 0; level <= tree_depth(map); level++) {
+        size_t seen = 0;
+        for (size_t i = 0; i < (size_t)1 << level; i++) {
+            size_t count;
+            Box box = tree_cell(map, level, i, &count);
+            assert_true(count <= (scatter.count >> level) + 1);
+            for (size_t p = seen; p < seen + count; p++) {
+                Vec3 at = photon_map_photons(map)[p].position;
+                assert_true(at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y &&
+                            at.z >= box.low.z && at.z <= box.high.z);
+            }
+            seen += count;
+        }
+        assert_int_equal(seen, scatter.count);
+    }
+    photon_map_free(map);
+    scatter_free(&scatter);
+    scene_free(scene);
+}
+
+static void legs_are_found_and_cut_at_the_front(void **state)
+{
+    (void)state;
+    ScatterLeg legs[5] = {{.path = 3, .flown = 0, .to = {2, 0, 0}},
+                          {.path = 3, .flown = 2, .to = {0, 4, 0}, .bounce = 1},
+                          {.path = 5, .flown = 0, .to = {1, 0, 0}},
+                          {.path = 8, .flown = 0, .to = {1, 0, 0}},
+                          {.path = 8, .flown = 1, .to = {1, 0, 0}}};
+    Scatter scatter = {.legs = legs, .leg_count = 5};
+    size_t count;
+    assert_ptr_equal(path_legs(&scatter, 3, &count), legs);
+    assert_int_equal(count, 2);
+    assert_ptr_equal(path_legs(&scatter, 8, &count), legs + 3);
+    assert_int_equal(count, 2);
+    assert_null(path_legs(&scatter, 4, &count));
+    assert_int_equal(count, 0);
+    assert_true(leg_flown(&legs[1], -1) == 1.0f);
+    assert_true(leg_flown(&legs[1], 1.5) == 0.0f);
+    assert_true(fabsf(leg_flown(&legs[1], 3.0) - 0.25f) < 1e-6f);
+    assert_true(leg_flown(&legs[1], 100.0) == 1.0f);
+}
+
+static void words_fit(void **state)
+{
+    (void)state;
+    const char *text = "200000 photons, 614409 stored, up to 32 bounces, 0.53 s | your code: 1.1 1.2 1.3 1.4 | "
+                       "averyveryveryverylongnamewithoutanyspaceinitaveryveryveryverylongname.c:12:5: error: no";
+    for (int most = 1; most < 9; most++)
+        for (float scale = 1; scale <= 2; scale++) {
+            char wrapped[1024];
+            int lines = overlay_wrap(text, scale, 388, most, wrapped, sizeof wrapped), counted = 0;
+            for (char *line = strtok(wrapped, "\n"); line; line = strtok(NULL, "\n")) {
+                assert_true(canvas_text_width(scale, line) <= 388);
+                counted++;
+                if (counted == most && most < 3)
+                    assert_string_equal(line + strlen(line) - 2, "..");
+            }
+            assert_int_equal(lines, counted);
+            assert_true(lines <= most);
+        }
+    char small[16];
+    overlay_wrap(text, 1, 388, 3, small, sizeof small);
+    assert_true(strlen(small) < sizeof small);
+}
+
+static double mean_brightness(Canvas *canvas)
+{
+    size_t count = (size_t)canvas_width(canvas) * (size_t)canvas_height(canvas);
+    uint8_t *bytes = malloc(count * 4);
+    assert_non_null(bytes);
+    canvas_read(canvas, bytes);
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += (double)bytes[4 * i] + (double)bytes[4 * i + 1] + (double)bytes[4 * i + 2] - 30.0; // over the background
+    free(bytes);
+    return sum / (double)count / 3.0;
+}
+
+// Every view at the smallest size; points as bright whether a tenth or all of them is drawn.
+static void every_view_draws(void **state)
+{
+    (void)state;
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+    Error error = {""};
+    Context *context = context_create(CONTEXT_ANY, &error);
+    if (!context) {
+        print_message("skipped: %s\n", error.message);
+        skip();
+    }
+    Canvas *canvas = canvas_create(context_loader(context), 400, 300, &error);
+    assert_non_null(canvas);
+    Scene *scene = scene_from_file("scenes/box_diffuse.yaml");
+    Side *side = side_create(canvas, scene), *empty = side_create(canvas, scene);
+    assert_true(side && empty);
+    View view = view_default(scene);
+    Captions captions = {.help = "keys", .left_title = "yours", .right_title = "reference", .status = "status"};
+    view_draw(canvas, scene, &view, empty, NULL, &captions); // nothing is there yet
+    side_set_scatter(side, scatter_of(scene, 100000));
+    view.wireframe = false;
+    captions.bare = true;
+    view_draw(canvas, scene, &view, side, NULL, &captions);
+    double all = mean_brightness(canvas);
+    view.most_points = side_scatter(side)->count / 10;
+    view_draw(canvas, scene, &view, side, NULL, &captions);
+    double part = mean_brightness(canvas);
+    assert_true(all > 8 && part / all > 0.6 && part / all < 1.6);
+    view.flight = 1.0; // a tenth of them
+    view.most_points = 0;
+    view_draw(canvas, scene, &view, side, NULL, &captions);
+    assert_true(mean_brightness(canvas) < 0.3 * all);
+    view.flight = -1;
+    captions.bare = false;
+    captions.banner = "1.3_scatter_diffuse.c:14: scatter_diffuse: segmentation fault, wrapped because it is long";
+    view.wireframe = view.split = view.help = true;
+    for (int kind = 0; kind < VIEW_COUNT; kind++)
+        for (int colour = 0; colour < COLOUR_COUNT; colour++) {
+            view.kind = (ViewKind)kind;
+            view.colour = (ColourMode)colour;
+            view_draw(canvas, scene, &view, side, empty, &captions);
+            char text[256] = "";
+            view_describe(&view, scene, side, text, sizeof text);
+            assert_true(strlen(text) > 10);
+        }
+    side_free(side);
+    side_free(empty);
+    scene_free(scene);
+    canvas_free(canvas);
+    context_free(context);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(wires_show_edges_and_leave_meshes_light),
+        cmocka_unit_test(brightness_does_not_depend_on_the_number),
+        cmocka_unit_test(the_prisms_colours_choose_the_screen),
+        cmocka_unit_test(cells_hold_every_photon_once),
+        cmocka_unit_test(legs_are_found_and_cut_at_the_front),
+        cmocka_unit_test(words_fit),
+        cmocka_unit_test(every_view_draws),
+    };
+    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
+}

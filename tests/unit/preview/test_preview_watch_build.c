@@ -1,0 +1,125 @@
+// What is built of the files of an exercise, when, and what is said of it.
+#define _GNU_SOURCE
+#include "unit/preview/watch_fixture.h"
+
+// A build that failed yesterday.
+static int set_up_behind(void **state)
+{
+    char path[512];
+    Error error = {""};
+    if (set_up(state) != 0)
+        return -1;
+    watch_stop(watch);
+    save(STEP ".c", "wrong"); // newer than its object
+    save(NEXT ".c", "new");   // which has none
+    char source[512], objects[512];
+    path_to(source, sizeof source, "code of a student", ".");
+    path_to(objects, sizeof objects, "objects", ".");
+    path_to(path, sizeof path, "objects", NEXT ".so");
+    watch = watch_start(source, objects, command, &error);
+    return watch && access(path, F_OK) != 0 ? 0 : -1;
+}
+
+static void errors_are_told(void **state)
+{
+    (void)state;
+    save(STEP ".c", "good");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    save(STEP ".c", "wrong");
+    assert_int_equal(next_event(5.0), WATCH_FAILED);
+    assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c:12:5: error: expected ';'");
+    assert_object(STEP ".so", "good");
+    save(STEP ".c", "linker");
+    assert_int_equal(next_event(5.0), WATCH_FAILED);
+    assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c: ld: cannot find -lmissing");
+    save(STEP ".c", "strange"); // the warning is the cause
+    assert_int_equal(next_event(5.0), WATCH_FAILED);
+    assert_string_equal(watch_message(watch),
+                        "1.3_scatter_diffuse.c:3:9: warning: implicit declaration of function 'f'");
+    save(STEP ".c", "silent");
+    assert_int_equal(next_event(5.0), WATCH_FAILED);
+    assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c: the compiler failed and said nothing");
+    save(STEP ".c", "better");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_object(STEP ".so", "better");
+}
+
+static void saves_queue_and_restart(void **state)
+{
+    (void)state;
+    save(STEP ".c", "slow");
+    double until = clock_seconds() + 5.0;
+    while (watch_poll(watch) != WATCH_BUILDING && clock_seconds() < until)
+        watch_wait(watch, 0.05);
+    save(STEP ".c", "quick"); // while the other is being built
+    save(NEXT ".c", "next");
+    double start = clock_seconds();
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_true(clock_seconds() - start < 4.0);
+    // The first build may have read the second save before the times told of it; then it is built once more.
+    assert_true(next_event(0.3) == WATCH_NOTHING || next_event(0.3) == WATCH_NOTHING);
+    assert_object(STEP ".so", "quick");
+    assert_object(NEXT ".so", "next");
+}
+
+static void warnings_are_told(void **state)
+{
+    (void)state;
+    save(STEP ".c", "warned");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_string_equal(watch_warning(watch), "1.3_scatter_diffuse.c:7:1: warning: no return statement");
+    save(STEP ".c", "fine");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_string_equal(watch_warning(watch), "");
+}
+
+// As a compiler writes it: the watched folder has blanks in its name.
+static void a_header_is_saved_for_its_steps(void **state)
+{
+    (void)state;
+    char path[512];
+    save("1_diffuse_photon_map/mine.h", "one");
+    assert_int_equal(next_event(0.3), WATCH_NOTHING); // nobody reads it
+    save(STEP ".c", "good");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    path_to(path, sizeof path, "objects", STEP ".d");
+    FILE *stream = fopen(path, "w");
+    assert_non_null(stream);
+    fprintf(stream, "x.so: \\\n %s/code\\ of\\ a\\ student/" STEP ".c lib/other.h \\\n", folder);
+    fprintf(stream, " %s/code\\ of\\ a\\ student/1_diffuse_photon_map/mine.h\n\nlib/other.h:\n", folder);
+    fclose(stream);
+    save(STEP ".c", "better"); // reads it from now on
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_int_equal(next_event(1.3), WATCH_NOTHING);
+    save("1_diffuse_photon_map/mine.h", "two times");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+}
+
+static void what_is_behind_is_built_at_the_start(void **state)
+{
+    (void)state;
+    assert_string_equal(watch_broken(watch), "");
+    assert_int_equal(next_event(5.0), WATCH_FAILED);
+    assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c:12:5: error: expected ';'");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_object(NEXT ".so", "new");
+    assert_object(STEP ".so", "before");
+    assert_string_equal(watch_step(watch)->id, "1.4");
+    assert_string_equal(watch_broken(watch), "1.3_scatter_diffuse.c:12:5: error: expected ';'");
+    save(STEP ".c", "mended");
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_string_equal(watch_broken(watch), "");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        BOTH_WAYS(errors_are_told),
+        BOTH_WAYS(saves_queue_and_restart),
+        BOTH_WAYS(warnings_are_told),
+        BOTH_WAYS(a_header_is_saved_for_its_steps),
+        cmocka_unit_test_setup_teardown(what_is_behind_is_built_at_the_start, set_up_behind, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,40 @@
+// What the tests of the scene loader share: the small parts of a scene, and loading one from memory.
+#ifndef PHOTONLAB_TESTS_SCENE_FROM_TEXT_H
+#define PHOTONLAB_TESTS_SCENE_FROM_TEXT_H
+
+#include "scene/file/scene_load.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define CAMERA "camera: {position: [0, 0, 3.9], target: [0, 0, 0], vertical_fov: 39.3077}\n"
+#define LIGHT  "lights:\n  - {type: point, position: [0, 1, 0], power: [1, 2, 3]}\n"
+#define WHITE  "materials:\n  - {name: white, type: diffuse, reflectance: [0.7, 0.6, 0.5]}\n"
+
+static inline Scene *load_text(const char *text, const char *folder)
+{
+    Error error = {""};
+    Scene *scene = scene_load_text(text, strlen(text), "test.yaml", folder, &error);
+    if (!scene)
+        fail_msg("%s", error.message);
+    return scene;
+}
+
+static inline void assert_near(double value, double expected, double tolerance)
+{
+    if (!(fabs(value - expected) <= tolerance))
+        fail_msg("%.9g is not within %g of %.9g", value, tolerance, expected);
+}
+
+static inline void assert_vector(Vec3 v, float x, float y, float z)
+{
+    assert_near(v.x, x, 1e-5);
+    assert_near(v.y, y, 1e-5);
+    assert_near(v.z, z, 1e-5);
+}
+
+#endif

@@ -1,0 +1,217 @@
+// Every malformed scene and mesh is refused, at the right place and in the right words, without a crash (run
+// this under sanitizers too). Works from the top folder: tests/malformed/ holds one small file per fault,
+// expected.inc the words.
+#include "scene/file/scene_load.h"
+
+#include <dirent.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#define FOLDER "tests/malformed/"
+
+static const struct {
+    const char *file, *expected;
+} faults[] = {
+#include "malformed/expected.inc"
+};
+enum { FAULTS = sizeof faults / sizeof faults[0] };
+
+static const char camera_and_light[] = "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\n"
+                                       "lights:\n  - {type: point, position: [0, 1, 0], power: [1, 1, 1]}\n";
+
+static bool is_refused(Scene *scene, const Error *error, const char *file, const char *expected)
+{
+    if (!scene && strstr(error->message, expected) && strstr(error->message, file))
+        return true;
+    print_error("%s: expected '%s', got '%s'\n", file, expected, scene ? "a scene" : error->message);
+    scene_free(scene);
+    return false;
+}
+
+static bool ends_with(const char *text, const char *end)
+{
+    size_t length = strlen(text), end_length = strlen(end);
+    return length >= end_length && strcmp(text + length - end_length, end) == 0;
+}
+
+static bool scene_refused(const char *path, const char *expected)
+{
+    Error error = {""};
+    Scene *scene = scene_load(path, &error);
+    return is_refused(scene, &error, path, expected);
+}
+
+// A mesh is loaded by a scene without a fault.
+static bool mesh_refused(const char *folder, const char *file, const char *expected)
+{
+    char text[600];
+    snprintf(text, sizeof text,
+             "%smaterials:\n  - {name: white, type: mirror}\nshapes:\n  - {type: mesh, file: %s, material: "
+             "white}\n",
+             camera_and_light, file);
+    Error error = {""};
+    Scene *scene = scene_load_text(text, strlen(text), "scene.yaml", folder, &error);
+    return is_refused(scene, &error, file, expected);
+}
+
+static void test_files(void **state)
+{
+    (void)state;
+    int wrong = 0;
+    for (int i = 0; i < FAULTS; i++) {
+        char path[200], expected[300];
+        snprintf(path, sizeof path, FOLDER "%s", faults[i].file);
+        snprintf(expected, sizeof expected, "%s%s", faults[i].file, faults[i].expected);
+        wrong +=
+            ends_with(path, ".yaml") ? !scene_refused(path, expected) : !mesh_refused(FOLDER, faults[i].file, expected);
+    }
+    assert_int_equal(wrong, 0);
+}
+
+// The two meshes that have nothing wrong are the only ones without a line in the table.
+static void test_no_file_is_forgotten(void **state)
+{
+    (void)state;
+    DIR *folder = opendir(FOLDER);
+    assert_non_null(folder);
+    int count = 0;
+    for (struct dirent *entry; (entry = readdir(folder));)
+        count += ends_with(entry->d_name, ".yaml") || ends_with(entry->d_name, ".obj");
+    closedir(folder);
+    assert_int_equal(count, FAULTS + 2);
+}
+
+// What is too large, too deep or no file at all is made here.
+static char temporary[] = "/tmp/photonlab_test_XXXXXX";
+
+static int make_folder(void **state)
+{
+    (void)state;
+    return mkdtemp(temporary) ? 0 : -1;
+}
+
+static int remove_folder(void **state)
+{
+    (void)state;
+    return rmdir(temporary);
+}
+
+static const char *temporary_path(const char *name)
+{
+    static char path[200];
+    snprintf(path, sizeof path, "%s/%s", temporary, name);
+    return path;
+}
+
+// `head`, then `count` times `unit`, then `tail`.
+static char *repeated(const char *head, const char *unit, size_t count, const char *tail)
+{
+    size_t length = strlen(unit);
+    char *text = malloc(strlen(head) + count * length + strlen(tail) + 1);
+    assert_non_null(text);
+    char *at = text + sprintf(text, "%s", head);
+    for (size_t i = 0; i < count; i++, at += length)
+        memcpy(at, unit, length);
+    strcpy(at, tail);
+    return text;
+}
+
+static void assert_text_refused(char *text, const char *expected)
+{
+    Error error = {""};
+    Scene *scene = scene_load_text(text, strlen(text), "made.yaml", NULL, &error);
+    bool refused = is_refused(scene, &error, "made.yaml", expected);
+    free(text);
+    assert_true(refused);
+}
+
+static void test_no_file(void **state)
+{
+    (void)state;
+    assert_true(scene_refused(temporary_path("missing.yaml"), "missing.yaml: cannot be read: No such file"));
+    assert_true(scene_refused(temporary, ": is a directory; expected a file"));
+    assert_int_equal(mkfifo(temporary_path("pipe.yaml"), 0600), 0);
+    assert_true(scene_refused(temporary_path("pipe.yaml"), "pipe.yaml: is not a regular file; expected a file"));
+    unlink(temporary_path("pipe.yaml"));
+}
+
+static void test_unreadable(void **state)
+{
+    (void)state;
+    if (geteuid() == 0)
+        skip(); // root reads everything
+    FILE *file = fopen(temporary_path("secret.yaml"), "w");
+    fputs(camera_and_light, file);
+    fclose(file);
+    chmod(temporary_path("secret.yaml"), 0);
+    assert_true(scene_refused(temporary_path("secret.yaml"), "secret.yaml: Permission denied"));
+    unlink(temporary_path("secret.yaml"));
+}
+
+static void make_sparse(const char *name, long long size)
+{
+    FILE *file = fopen(temporary_path(name), "w");
+    assert_non_null(file);
+    assert_int_equal(ftruncate(fileno(file), (off_t)size), 0);
+    fclose(file);
+}
+
+static void test_size(void **state)
+{
+    (void)state;
+    make_sparse("empty.yaml", 0);
+    assert_true(scene_refused(temporary_path("empty.yaml"), "empty.yaml:1:1: the file is empty"));
+    unlink(temporary_path("empty.yaml"));
+    make_sparse("huge.yaml", 5000000);
+    assert_true(
+        scene_refused(temporary_path("huge.yaml"), "huge.yaml: is 5000000 bytes long; expected at most 4194304"));
+    unlink(temporary_path("huge.yaml"));
+    make_sparse("huge.obj", 600000000);
+    assert_true(
+        mesh_refused("", temporary_path("huge.obj"), "huge.obj: is 600000000 bytes long; expected at most 536870912"));
+    unlink(temporary_path("huge.obj"));
+}
+
+static void test_depth(void **state)
+{
+    (void)state;
+    assert_text_refused(repeated("camera: ", "[", 1000000, ""), "made.yaml:1:9: camera is a list");
+    assert_text_refused(repeated("camera:\n  position: ", "[", 1000000, ""),
+                        "made.yaml:2:14: camera.position[0] is a list");
+    assert_text_refused(repeated("", "{camera: ", 300000, ""), "made.yaml:1:11: unknown key 'camera'");
+    assert_text_refused(repeated("camera: {position: [", "1, ", 1000000, "1]}"),
+                        "made.yaml:1:20: camera.position has 1000001 numbers");
+    assert_text_refused(repeated("", "x", 1000000, ": 1"), "made.yaml:1:");
+}
+
+static void test_too_many(void **state)
+{
+    (void)state;
+    char *materials = repeated(camera_and_light, "", 0, "materials:\n");
+    char *text = repeated(materials, "  - {name: m, type: mirror}\n", 256, "");
+    assert_text_refused(text, "made.yaml:260:5: materials has too many entries; expected at most 255");
+    free(materials);
+    // Every light with a surface takes a material too.
+    materials = repeated("", "", 0, "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\nlights:\n");
+    text = repeated(materials, "  - {type: sphere, centre: [0, 0, 0], radius: 1, power: [1, 1, 1]}\n", 256, "");
+    assert_text_refused(text, "made.yaml:258:5: too many materials");
+    free(materials);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_files),    cmocka_unit_test(test_no_file_is_forgotten),
+        cmocka_unit_test(test_no_file),  cmocka_unit_test(test_unreadable),
+        cmocka_unit_test(test_size),     cmocka_unit_test(test_depth),
+        cmocka_unit_test(test_too_many),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}

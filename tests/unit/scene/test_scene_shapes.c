@@ -1,0 +1,156 @@
+// Shapes and meshes as flats of a scene: closed, turned and placed as the file says.
+#include "unit/scene/scene_from_text.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+static Scene *load_shape(const char *shape)
+{
+    char text[2000];
+    snprintf(text, sizeof text, CAMERA LIGHT WHITE "shapes:\n  - {%s, material: white}\n", shape);
+    return load_text(text, NULL);
+}
+
+// By Gauss: a third of the flux of the position vector through the surface. Positive when all normals point
+// outside.
+static double enclosed_volume(const Scene *scene)
+{
+    double six_volumes = 0;
+    for (size_t i = 0; i < scene->flat_count; i++) {
+        const Flat *flat = &scene->flats[i];
+        Vec3 normal = vec3_cross(flat->edge_u, flat->edge_v);
+        six_volumes += (flat->is_triangle ? 1.0 : 2.0) * vec3_dot(flat->origin, normal);
+    }
+    return six_volumes / 6;
+}
+
+static void test_shapes_are_closed(void **state)
+{
+    (void)state;
+    Scene *scene = load_shape("type: box, low: [-1, 2, 3], high: [1, 5, 7]");
+    assert_int_equal(scene->flat_count, 6);
+    assert_near(enclosed_volume(scene), 2 * 3 * 4, 1e-4);
+    scene_free(scene);
+    scene = load_shape("type: box, low: [-1, 2, 3], high: [1, 5, 7], rotate_y: 33");
+    assert_near(enclosed_volume(scene), 2 * 3 * 4, 1e-4);
+    scene_free(scene);
+    scene =
+        load_shape("type: prism, apex: [1, 2, 3], axis: [1, 2, 0], down: [0, -3, 1], angle: 60, side: 2, length: 5");
+    assert_int_equal(scene->flat_count, 5);
+    assert_near(enclosed_volume(scene), 0.5 * 2 * 2 * sin(3.14159265 / 3) * 5, 1e-4);
+    scene_free(scene);
+}
+
+static void test_box_turns_counter_clockwise(void **state)
+{
+    (void)state;
+    // About y, +x goes towards −z: the box's low corner (−1, −1) in x and z comes to lie at −1, +1.
+    Scene *scene = load_shape("type: box, low: [-1, 0, -1], high: [1, 1, 1], rotate_y: 90");
+    assert_vector(scene->flats[0].origin, -1, 0, 1);
+    scene_free(scene);
+}
+
+static void test_prism_place(void **state)
+{
+    (void)state;
+    Scene *scene = load_shape("type: prism, apex: [0, 1, 0], axis: [0, 0, 2], down: [0, -1, 5], angle: 90, "
+                              "side: 1.41421356, length: 4");
+    Vec3 lowest = vec3(0, 0, 0), highest = lowest;
+    for (size_t i = 0; i < scene->flat_count; i++) {
+        const Flat *flat = &scene->flats[i];
+        Vec3 ends[2] = {flat->origin, vec3_add(flat->origin, flat->edge_u)};
+        for (int e = 0; e < 2; e++) {
+            lowest = vec3(fminf(lowest.x, ends[e].x), fminf(lowest.y, ends[e].y), fminf(lowest.z, ends[e].z));
+            highest = vec3(fmaxf(highest.x, ends[e].x), fmaxf(highest.y, ends[e].y), fmaxf(highest.z, ends[e].z));
+        }
+    }
+    assert_vector(lowest, -1, 0, -2);
+    assert_vector(highest, 1, 1, 2);
+    scene_free(scene);
+}
+
+static char temporary[] = "/tmp/photonlab_test_XXXXXX";
+
+static int make_folder(void **state)
+{
+    (void)state;
+    return mkdtemp(temporary) ? 0 : -1;
+}
+
+static int remove_folder(void **state)
+{
+    (void)state;
+    return rmdir(temporary);
+}
+
+// A scene with one mesh, whose text is `obj`; `keys` are put behind the file's name.
+static Scene *load_mesh(const char *obj, const char *keys)
+{
+    char path[100], text[1000], folder[50];
+    snprintf(folder, sizeof folder, "%s/", temporary);
+    snprintf(path, sizeof path, "%smesh.obj", folder);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(obj, file);
+    fclose(file);
+    snprintf(text, sizeof text,
+             CAMERA LIGHT WHITE "  - {name: shiny, type: mirror}\nshapes:\n  - {type: mesh, file: mesh.obj%s}\n", keys);
+    Scene *scene = load_text(text, folder);
+    unlink(path);
+    return scene;
+}
+
+static void test_mesh_place(void **state)
+{
+    (void)state;
+    const char *obj = "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n";
+    Scene *scene = load_mesh(obj, ", material: white, scale: 2, rotate: [90, 90, 90], translate: [5, 6, 7]");
+    const Flat *flat = &scene->flats[0];
+    assert_vector(flat->origin, 5, 6, 7);
+    assert_vector(flat->edge_u, 0, 2, 0); // y →(about x) z →(about y) x →(about z) y
+    assert_vector(flat->edge_v, 2, 0, 0); // z →(about x) −y →(about y) −y →(about z) x
+    assert_true(flat->is_triangle);
+    scene_free(scene);
+}
+
+static void test_mesh_materials(void **state)
+{
+    (void)state;
+    const char *obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl shiny\nf 1 3 2\n";
+    Scene *scene = load_mesh(obj, ", material: white");
+    assert_int_equal(scene->flat_count, 2);
+    assert_int_equal(scene->flats[0].material, 0);
+    assert_int_equal(scene->flats[1].material, 1);
+    scene_free(scene);
+    scene = load_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl shiny\nf 1 3 2\n", "");
+    assert_int_equal(scene->flats[0].material, 1);
+    scene_free(scene);
+}
+
+static void test_mesh_normals(void **state)
+{
+    (void)state;
+    // The second face contradicts the normals, the third has none.
+    const char *obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0.6 0 0.8\nvn 0 0.6 0.8\n"
+                      "f 1//1 2//2 3//2\nf 1//1 3//1 2//1\nf 1 2 3\nf 1//2 2//2 3//2\n";
+    Scene *scene = load_mesh(obj, ", material: white, scale: 3, rotate: [0, 0, 90]");
+    assert_int_equal(scene->normal_count, 6);
+    assert_int_equal(scene->flats[0].normals, 1);
+    assert_int_equal(scene->flats[1].normals, 0);
+    assert_int_equal(scene->flats[2].normals, 0);
+    assert_int_equal(scene->flats[3].normals, 4);
+    assert_vector(scene->normals[0], 0, 0.6f, 0.8f);
+    assert_vector(scene->normals[1], -0.6f, 0, 0.8f);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_shapes_are_closed), cmocka_unit_test(test_box_turns_counter_clockwise),
+        cmocka_unit_test(test_prism_place),       cmocka_unit_test(test_mesh_place),
+        cmocka_unit_test(test_mesh_materials),    cmocka_unit_test(test_mesh_normals),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}
