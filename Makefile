@@ -178,6 +178,11 @@ check-arm: all meshes
 	@$(PROGRAM) $(PICTURE) -o $(BUILD)/arm/here.pfm
 	@cmp $(BUILD)/arm/there.pfm $(BUILD)/arm/here.pfm && echo "the same picture to the byte"
 
+##   check-same        another commit's pictures, photons and measurements, and this one's: the same bytes? make check-same AS=COMMIT
+.PHONY: check-same
+check-same: judge meshes
+	@bash tests/same_as.sh "$${AS:?says which commit}" $(BUILD)
+
 ##   reference         both integrators against an independent renderer's images
 reference: all
 	@bash tests/reference/compare.sh $(PROGRAM)
