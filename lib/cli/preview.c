@@ -194,15 +194,15 @@ static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *
 
 static bool show_files(const Scene *scene, const Arguments *a, Error *error)
 {
-    Scatter yours = {.photons = NULL}, reference = {.photons = NULL};
+    Recording yours = {.photons = NULL}, reference = {.photons = NULL};
     PreviewOptions options = a->options;
     options.given = &yours;
     options.given_reference = a->reference_file ? &reference : NULL;
     bool ok = preview_photons_read(a->photons_file, scene, &yours, error) &&
               (!a->reference_file || preview_photons_read(a->reference_file, scene, &reference, error)) &&
               preview_snapshot(scene, &options, NULL, error);
-    scatter_free(&yours);
-    scatter_free(&reference);
+    recording_free(&yours);
+    recording_free(&reference);
     return ok;
 }
 

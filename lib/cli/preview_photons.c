@@ -24,7 +24,7 @@ static Vec3 vec3_at(const float *v)
     return vec3(v[0], v[1], v[2]);
 }
 
-static bool take(const float *from, const Scene *scene, ScatterPhoton *to)
+static bool take(const float *from, const Scene *scene, RecordedPhoton *to)
 {
     const float *power = from + SCATTER_POWER;
     float length = vec3_length(vec3_at(from + SCATTER_FROM));
@@ -43,25 +43,25 @@ static bool take(const float *from, const Scene *scene, ScatterPhoton *to)
     return true;
 }
 
-static bool take_all(const float *numbers, size_t count, const Scene *scene, Scatter *scatter)
+static bool take_all(const float *numbers, size_t count, const Scene *scene, Recording *recording)
 {
-    scatter->photons = malloc((count + 1) * sizeof *scatter->photons);
-    if (!scatter->photons)
+    recording->photons = malloc((count + 1) * sizeof *recording->photons);
+    if (!recording->photons)
         return false;
     for (size_t i = 0; i < count; i++) {
-        ScatterPhoton *to = &scatter->photons[scatter->count];
+        RecordedPhoton *to = &recording->photons[recording->count];
         if (!take(numbers + SCATTER_HEAD + i * SCATTER_NUMBERS, scene, to))
             continue;
-        scatter->count++;
-        scatter->bounces = to->at.bounce + 1 > scatter->bounces ? to->at.bounce + 1 : scatter->bounces;
-        scatter->farthest = fmax(scatter->farthest, (double)to->flown);
+        recording->count++;
+        recording->bounces = to->at.bounce + 1 > recording->bounces ? to->at.bounce + 1 : recording->bounces;
     }
+    recording->farthest = recording_farthest(recording);
     return true;
 }
 
-bool preview_photons_read(const char *path, const Scene *scene, Scatter *scatter, Error *error)
+bool preview_photons_read(const char *path, const Scene *scene, Recording *recording, Error *error)
 {
-    *scatter = (Scatter){.photons = NULL};
+    *recording = (Recording){.photons = NULL};
     size_t size, magic = strlen(SCATTER_MAGIC), head = SCATTER_HEAD * sizeof(float);
     char *bytes = file_read(path, MOST_BYTES, &size, error);
     if (!bytes)
@@ -73,13 +73,13 @@ bool preview_photons_read(const char *path, const Scene *scene, Scatter *scatter
         memcpy(numbers, bytes + magic, size - magic);
         float emitted = numbers[SCATTER_EMITTED];
         whole = is_whole(emitted, 100000000) && emitted >= 1.0f;
-        scatter->emitted = whole ? (long)emitted : 1;
+        recording->emitted = whole ? (long)emitted : 1;
     }
     free(bytes);
     bool ok = true;
     if (!whole)
         ok = error_set(error, "%s: is no file of photons", path);
-    else if (!numbers || !take_all(numbers, (size - magic - head) / each, scene, scatter))
+    else if (!numbers || !take_all(numbers, (size - magic - head) / each, scene, recording))
         ok = error_set(error, "%s: not enough memory", path);
     free(numbers);
     return ok;

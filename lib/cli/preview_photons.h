@@ -4,10 +4,10 @@
 #define PHOTONLAB_CLI_PREVIEW_PHOTONS_H
 
 #include "base/error.h"
-#include "preview/view/scatter.h"
+#include "preview/record/recording.h"
 
 // The file may hold anything: one that is not well formed is refused, photons that cannot be drawn (no numbers, no such
-// material) are left out. Free with scatter_free.
-bool preview_photons_read(const char *path, const Scene *scene, Scatter *scatter, Error *error);
+// material) are left out. Free with recording_free.
+bool preview_photons_read(const char *path, const Scene *scene, Recording *recording, Error *error);
 
 #endif

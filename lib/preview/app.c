@@ -16,7 +16,7 @@ bool app_start(App *app, const Scene *scene, const PreviewOptions *options, Brok
     if (!app->canvas || !session_start(&app->session, scene, options, broker, app->canvas, error))
         return false;
     app->session.timed = true;
-    session_scatter(&app->session, &app->view);
+    session_ask_photons(&app->session, &app->view);
     app->dirty = true;
     return true;
 }
@@ -92,7 +92,7 @@ double app_light_speed(const App *app)
 
 static size_t points_drawn(const App *app)
 {
-    size_t count = side_scatter(app->session.sides[YOURS])->count;
+    size_t count = side_recording(app->session.sides[YOURS])->count;
     return app->moving && count > MOVING_POINTS ? MOVING_POINTS : count;
 }
 

@@ -10,7 +10,7 @@ static void photons_times(App *app, double factor)
 {
     double photons = (double)app->session.photons * factor;
     app->session.photons = (long)fmin(fmax(photons, 1000.0), 16e6);
-    session_scatter(&app->session, &app->view);
+    session_ask_photons(&app->session, &app->view);
 }
 
 static void save_snapshot(App *app)
@@ -69,11 +69,11 @@ static void choose_kind(App *app, ViewKind kind)
 static void choose_within(App *app, bool sideways, int step)
 {
     View *view = &app->view;
-    const Scatter *scatter = side_scatter(app->session.sides[YOURS]);
+    const Recording *recording = side_recording(app->session.sides[YOURS]);
     switch (view->kind) {
     case VIEW_PATHS:
         if (sideways) {
-            long last = scatter->recorded - 1;
+            long last = recording->recorded - 1;
             view->path = view->path + step < -1 ? last : view->path + step > last ? -1 : view->path + step;
             view->bounce = -1;
         } else if (view->path >= 0) {
@@ -157,7 +157,7 @@ void app_key(App *app, int key)
         return;
     case 'r':
         app->session.seed++;
-        session_scatter(&app->session, view);
+        session_ask_photons(&app->session, view);
         return;
     case '+':
         photons_times(app, 2.0);

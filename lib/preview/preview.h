@@ -3,6 +3,7 @@
 #define PHOTONLAB_PREVIEW_PREVIEW_H
 
 #include "preview/draw/context.h"
+#include "preview/run/run.h"
 #include "preview/view/view.h"
 
 typedef struct {
@@ -24,8 +25,8 @@ typedef struct {
     ContextKind context;
     bool hidden_context_is_window; // draw the snapshot in a hidden window: --context window
     View view;
-    Scatter *given;           // photons to show; NULL: those of a run. With view.split
-    Scatter *given_reference; // these, too. A snapshot takes their memory over, and runs nobody's code
+    Recording *given;           // photons to show; NULL: those of a run. With view.split
+    Recording *given_reference; // these, too. A snapshot takes their memory over, and runs nobody's code
 } PreviewOptions;
 
 // Opens the window and stays until it is closed. *no_window: the Error says why there is no window here.

@@ -47,8 +47,8 @@ static void advance_flight(App *app, double now)
 {
     if (!app->flying)
         return;
-    const Scatter *scatter = side_scatter(app->session.sides[YOURS]);
-    double farthest = scatter_farthest(scatter);
+    const Recording *recording = side_recording(app->session.sides[YOURS]);
+    double farthest = recording->farthest;
     double flown = (now - app->flight_started) * app_light_speed(app);
     if (flown > farthest + 1.0 * app_light_speed(app))
         app->flight_started = now;

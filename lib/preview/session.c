@@ -26,7 +26,7 @@ bool session_start(Session *session, const Scene *scene, const PreviewOptions *o
 void session_end(Session *session)
 {
     for (int i = 0; i < RUN_SIDES; i++) {
-        session_stop(&session->scatter[i]);
+        session_stop(&session->tracing[i]);
         session_stop(&session->lobe[i]);
     }
     for (int i = 0; i < SIDES; i++)
@@ -57,7 +57,7 @@ static void rebuilt(Session *session, const View *view)
     session->fault[0] = session->notice[0] = '\0'; // to be told again if they are still there
     session->have_lobe[YOURS] = false;
     session_stop(&session->lobe[YOURS]);
-    session_ask_scatter(session, YOURS);
+    session_ask_side(session, YOURS);
     session->asked_by = "save";
     session->after_save = true; // until the window has shown it
     if (session->render)
@@ -89,10 +89,10 @@ static bool poll_watch(Session *session, const View *view)
 }
 
 // A student saves, and nothing changes: another step does that work.
-static void tell_if_not_played(Session *session, const Scatter *scatter)
+static void tell_if_not_played(Session *session, const Recording *recording)
 {
     const StepInfo *step = session->after_save && session->watch ? watch_step(session->watch) : NULL;
-    if (!step || scatter->states[step - step_table] != STEP_STUDENT || step_is_played(step, scatter->play))
+    if (!step || recording->states[step - step_table] != STEP_STUDENT || step_is_played(step, recording->play))
         return;
     char text[300];
     const char *flag = strcmp(step->id, "3.5") == 0 ? "3.4" : step->id;
@@ -104,9 +104,9 @@ static void tell_if_not_played(Session *session, const Scatter *scatter)
     snprintf(session->notice + length, sizeof session->notice - length, "%s%s", length > 0 ? "\n" : "", text);
 }
 
-static void take_scatter(Session *session, int side, const RunStatus *status)
+static void take_photons(Session *session, int side, const RunStatus *status)
 {
-    side_set_scatter(session->sides[side], run_take_scatter(session->scatter[side]));
+    side_set_recording(session->sides[side], run_take_recording(session->tracing[side]));
     if (side == REFERENCE) {
         session->have_reference = true;
         return;
@@ -114,11 +114,11 @@ static void take_scatter(Session *session, int side, const RunStatus *status)
     if (strcmp(session->notice, status->notice) != 0 && status->notice[0])
         tell(status->notice);
     snprintf(session->notice, sizeof session->notice, "%s", status->notice);
-    const Scatter *scatter = side_scatter(session->sides[side]);
-    tell_if_not_played(session, scatter);
+    const Recording *recording = side_recording(session->sides[side]);
+    tell_if_not_played(session, recording);
     // What another step's last build said is still true.
     snprintf(session->fault, sizeof session->fault, "%s", session->watch ? watch_broken(session->watch) : "");
-    printf("%zu photons stored of %ld emitted, %.2f s after the %s\n", scatter->count, scatter->emitted,
+    printf("%zu photons stored of %ld emitted, %.2f s after the %s\n", recording->count, recording->emitted,
            clock_seconds() - session->asked_at, session->asked_by);
     fflush(stdout);
     session->answered = true;
@@ -127,30 +127,30 @@ static void take_scatter(Session *session, int side, const RunStatus *status)
 // The first photons of a run that takes its time.
 static bool look_at_coming(Session *session)
 {
-    Scatter part;
-    if (clock_seconds() < session->next_look || !run_copy_partial(session->scatter[YOURS], &part))
+    Recording part;
+    if (clock_seconds() < session->next_look || !run_copy_partial(session->tracing[YOURS], &part))
         return false;
-    side_set_scatter(session->sides[COMING], part);
+    side_set_recording(session->sides[COMING], part);
     session->coming = session->answered = true;
     session->next_look = clock_seconds() + NEXT_LOOK;
     return true;
 }
 
-static bool poll_scatter(Session *session, int side)
+static bool poll_photons(Session *session, int side)
 {
-    if (!session->scatter[side])
+    if (!session->tracing[side])
         return false;
-    RunStatus status = run_poll(session->scatter[side]);
+    RunStatus status = run_poll(session->tracing[side]);
     if (status.state == RUN_GOING)
         return side == YOURS && look_at_coming(session);
     session->coming = session->coming && side != YOURS;
     if (status.state == RUN_FAILED)
         fault(session, status.failure);
     else
-        take_scatter(session, side, &status);
+        take_photons(session, side, &status);
     // A reference that fails would fail again at once.
     session->have_reference = session->have_reference || side == REFERENCE;
-    session_stop(&session->scatter[side]);
+    session_stop(&session->tracing[side]);
     return true;
 }
 
@@ -206,7 +206,7 @@ bool session_poll(Session *session, const View *view)
     bool news = poll_watch(session, view);
     news |= look_at_scene(session);
     for (int i = 0; i < RUN_SIDES; i++) {
-        news |= poll_scatter(session, i);
+        news |= poll_photons(session, i);
         news |= poll_lobe(session, i);
     }
     news |= poll_render(session);
@@ -216,15 +216,15 @@ bool session_poll(Session *session, const View *view)
 
 bool session_is_busy(const Session *session)
 {
-    return session->building || session->scatter[YOURS] || session->scatter[REFERENCE] || session->lobe[YOURS] ||
+    return session->building || session->tracing[YOURS] || session->tracing[REFERENCE] || session->lobe[YOURS] ||
            session->lobe[REFERENCE];
 }
 
 void session_wait(Session *session, double seconds)
 {
     for (int i = 0; i < RUN_SIDES; i++) {
-        if (session->scatter[i]) {
-            run_wait(session->scatter[i], seconds);
+        if (session->tracing[i]) {
+            run_wait(session->tracing[i], seconds);
             return;
         }
         if (session->lobe[i]) {

@@ -14,7 +14,7 @@ typedef struct {
     const PreviewOptions *options;
     Broker *broker;
     Watch *watch; // NULL: nothing is watched
-    Run *scatter[RUN_SIDES], *lobe[RUN_SIDES], *render;
+    Run *tracing[RUN_SIDES], *lobe[RUN_SIDES], *render;
     Side *sides[SIDES];
 
     long photons;
@@ -44,11 +44,11 @@ bool session_start(Session *session, const Scene *scene, const PreviewOptions *o
 void session_end(Session *session);
 
 // Asks for new photons from the student's code, and from the reference if it is shown.
-void session_scatter(Session *session, const View *view);
+void session_ask_photons(Session *session, const View *view);
 // Asks for whatever this view needs and is not there yet.
 void session_need(Session *session, const View *view);
 // Asks for one side's photons; what was asked before is dropped. Ends a run, if there is one.
-void session_ask_scatter(Session *session, int side);
+void session_ask_side(Session *session, int side);
 void session_stop(Run **run);
 // The exponent, the angle or the kind of the lobe has changed.
 void session_lobe_changed(Session *session, const View *view);

@@ -17,7 +17,7 @@ void session_stop(Run **run)
 static RunRequest request_for(const Session *session, int side, RunKind kind)
 {
     const PreviewOptions *options = session->options;
-    const Scatter *yours = side_scatter(session->sides[YOURS]);
+    const Recording *yours = side_recording(session->sides[YOURS]);
     RunRequest request = {
         .kind = kind,
         .code = side == YOURS ? options->code : NULL,
@@ -46,14 +46,14 @@ static void start(Session *session, Run **run, const RunRequest *request)
         snprintf(session->fault, sizeof session->fault, "%s", error.message);
 }
 
-void session_ask_scatter(Session *session, int side)
+void session_ask_side(Session *session, int side)
 {
     if (side == YOURS) {
         session->coming = session->answered = false;
         session->next_look = clock_seconds() + FIRST_LOOK;
     }
-    RunRequest request = request_for(session, side, RUN_SCATTER);
-    start(session, &session->scatter[side], &request);
+    RunRequest request = request_for(session, side, RUN_PHOTONS);
+    start(session, &session->tracing[side], &request);
 }
 
 static void start_lobe(Session *session, const View *view, int side)
@@ -65,21 +65,21 @@ static void start_lobe(Session *session, const View *view, int side)
     start(session, &session->lobe[side], &request);
 }
 
-void session_scatter(Session *session, const View *view)
+void session_ask_photons(Session *session, const View *view)
 {
-    session->asked_by = side_scatter(session->sides[YOURS])->emitted > 0 ? "key" : "start";
+    session->asked_by = side_recording(session->sides[YOURS])->emitted > 0 ? "key" : "start";
     session->asked_at = clock_seconds();
     session->have_reference = false;
-    session_stop(&session->scatter[REFERENCE]);
-    session_ask_scatter(session, YOURS);
+    session_stop(&session->tracing[REFERENCE]);
+    session_ask_side(session, YOURS);
     session_need(session, view);
 }
 
 void session_need(Session *session, const View *view)
 {
-    bool yours_known = side_scatter(session->sides[YOURS])->emitted > 0 && !session->scatter[YOURS];
-    if (view->split && yours_known && !session->have_reference && !session->scatter[REFERENCE])
-        session_ask_scatter(session, REFERENCE);
+    bool yours_known = side_recording(session->sides[YOURS])->emitted > 0 && !session->tracing[YOURS];
+    if (view->split && yours_known && !session->have_reference && !session->tracing[REFERENCE])
+        session_ask_side(session, REFERENCE);
     for (int i = 0; i < RUN_SIDES; i++)
         if (view->kind == VIEW_LOBE && (i == YOURS || view->split) && !session->have_lobe[i] && !session->lobe[i])
             start_lobe(session, view, i);

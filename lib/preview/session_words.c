@@ -5,11 +5,13 @@
 #include <string.h>
 
 // Appends "title 1.1 1.3 " with the ids of the steps that are, or are not, the student's and play. False: there is none.
-static bool list_steps(const Scatter *scatter, bool students, bool played, const char *title, char *text, size_t size)
+static bool list_steps(const Recording *recording, bool students, bool played, const char *title, char *text,
+                       size_t size)
 {
     bool any = false;
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        if ((scatter->states[i] == STEP_STUDENT) != students || step_is_played(&step_table[i], scatter->play) != played)
+        if ((recording->states[i] == STEP_STUDENT) != students ||
+            step_is_played(&step_table[i], recording->play) != played)
             continue;
         size_t length = strlen(text);
         snprintf(text + length, size - length, "%s%s", any ? " " : title, step_table[i].id);
@@ -20,25 +22,25 @@ static bool list_steps(const Scatter *scatter, bool students, bool played, const
 
 void session_status(const Session *session, char *text, size_t size)
 {
-    const Scatter *scatter = side_scatter(session_yours(session));
+    const Recording *recording = side_recording(session_yours(session));
     int passes = 0;
-    if (session->scatter[YOURS] && scatter->emitted == 0)
+    if (session->tracing[YOURS] && recording->emitted == 0)
         snprintf(text, size, "the first photons are on their way");
     else
-        snprintf(text, size, "%ld photons, %zu stored, up to %d bounces", scatter->emitted, scatter->count,
-                 scatter->bounces);
+        snprintf(text, size, "%ld photons, %zu stored, up to %d bounces", recording->emitted, recording->count,
+                 recording->bounces);
     size_t length = strlen(text);
-    if (session->timed && scatter->emitted > 0)
-        length += (size_t)snprintf(text + length, size - length, ", %.2f s", scatter->seconds);
+    if (session->timed && recording->emitted > 0)
+        length += (size_t)snprintf(text + length, size - length, ", %.2f s", recording->seconds);
     if (session->render && run_image(session->render, &passes))
         snprintf(text + length, size - length, " | rendered: %d pass%s", passes, passes == 1 ? "" : "es");
     if (session->options->code) {
-        if (!list_steps(scatter, true, true, " | your code: ", text, size)) {
+        if (!list_steps(recording, true, true, " | your code: ", text, size)) {
             length = strlen(text);
             snprintf(text + length, size - length, " | your code: nothing yet");
         }
-        list_steps(scatter, true, false, " | built, not played: ", text, size);
-        list_steps(scatter, false, true, " | the reference: ", text, size);
+        list_steps(recording, true, false, " | built, not played: ", text, size);
+        list_steps(recording, false, true, " | the reference: ", text, size);
     } else {
         length = strlen(text);
         snprintf(text + length, size - length, " | the reference plays");

@@ -156,11 +156,11 @@ static void easel_close(Easel *easel)
 
 static void show_given(Session *session, const PreviewOptions *options)
 {
-    side_set_scatter(session->sides[YOURS], *options->given);
-    *options->given = (Scatter){.photons = NULL};
+    side_set_recording(session->sides[YOURS], *options->given);
+    *options->given = (Recording){.photons = NULL};
     if (options->given_reference) {
-        side_set_scatter(session->sides[REFERENCE], *options->given_reference);
-        *options->given_reference = (Scatter){.photons = NULL};
+        side_set_recording(session->sides[REFERENCE], *options->given_reference);
+        *options->given_reference = (Recording){.photons = NULL};
     }
 }
 
@@ -180,7 +180,7 @@ bool preview_snapshot(const Scene *scene, const PreviewOptions *options, Broker 
         if (options->given) {
             show_given(&session, options);
         } else {
-            session_scatter(&session, &options->view);
+            session_ask_photons(&session, &options->view);
             settle(&session, &options->view);
         }
         if (session.fault[0])
@@ -201,7 +201,7 @@ bool preview_snapshots(const Scene *scene, const PreviewOptions *options, Broker
     bool ok =
         easel_open(&easel, options, error) && session_start(&session, scene, options, broker, easel.canvas, error);
     if (ok)
-        session_scatter(&session, &options->view);
+        session_ask_photons(&session, &options->view);
     while (ok) {
         bool news = session_poll(&session, &options->view);
         if (news && !session_is_busy(&session)) {

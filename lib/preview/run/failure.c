@@ -93,7 +93,7 @@ static void put_spot(const Spot *spot, const char *what, char *text, size_t size
 
 static const char *unit_of_work(RunKind kind)
 {
-    return kind == RUN_SCATTER ? "photon" : kind == RUN_LOBE ? "direction" : "part of the picture";
+    return kind == RUN_PHOTONS ? "photon" : kind == RUN_LOBE ? "direction" : "part of the picture";
 }
 
 // Filling much memory takes time: patience may end before the memory does. A picture has photons of its own.

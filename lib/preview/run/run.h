@@ -7,7 +7,7 @@
 #define PHOTONLAB_PREVIEW_RUN_H
 
 #include "image/image.h"
-#include "preview/view/scatter.h"
+#include "preview/record/recording.h"
 #include "scene/scene.h"
 
 typedef struct Broker Broker;
@@ -19,7 +19,7 @@ void broker_stop(Broker *broker); // ends the helper and all workers; frees the 
 // From now on runs have at most so many workers; 0: one a core.
 void broker_workers(Broker *broker, int most);
 
-typedef enum { RUN_SCATTER, RUN_LOBE, RUN_RENDER } RunKind;
+typedef enum { RUN_PHOTONS, RUN_LOBE, RUN_RENDER } RunKind;
 
 typedef struct {
     RunKind kind;
@@ -27,7 +27,7 @@ typedef struct {
     bool play_is_given; // otherwise step_choice_for_student()
     StepChoice play;
     uint64_t seed;
-    // RUN_SCATTER
+    // RUN_PHOTONS
     long photons;  // to emit
     int depth;     // surfaces a path may meet; 0: as the scene says
     long recorded; // paths whose legs are kept
@@ -67,22 +67,14 @@ void run_patience(Run *run, double seconds);
 void run_free(Run *run);
 
 // What a finished run found, taken over by the caller.
-Scatter run_take_scatter(Run *run);
+Recording run_take_recording(Run *run);
 // A copy of what has come of a run that still goes on: photons and legs of the first paths of each worker, and so a fair
 // sample. False: nothing has come yet, or memory is short. `emitted` says about how many paths that were; powers are
 // those of the whole run, so the request's photons over `emitted` makes them as bright as they will be. The ledger is
 // not known yet.
-bool run_copy_partial(const Run *run, Scatter *scatter);
-void scatter_free(Scatter *scatter);
+bool run_copy_partial(const Run *run, Recording *recording);
 
-// Directions of a lobe, with the weight of each; a weight of 0 stands for one that was absorbed.
-typedef struct {
-    Vec3 *directions;
-    float *weights;
-    size_t count;
-} LobeSamples;
 LobeSamples run_take_lobe(Run *run);
-void lobe_samples_free(LobeSamples *samples);
 
 // The mean of the passes that have come so far; owned by the run, and changed by later polls. NULL: none yet; 0 passes:
 // a quick look, a pass of a sixteenth of the pixels blown up. The same seed and passes give the same bytes.

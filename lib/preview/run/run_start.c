@@ -18,7 +18,7 @@ static int count_workers(const Broker *broker, const RunRequest *request)
 {
     if (request->kind == RUN_LOBE)
         return 1;
-    long worth = request->kind == RUN_SCATTER ? 1 + request->photons / PER_WORKER : MOST_WORKERS;
+    long worth = request->kind == RUN_PHOTONS ? 1 + request->photons / PER_WORKER : MOST_WORKERS;
     return worth < broker->workers ? (int)worth : broker->workers;
 }
 
@@ -115,7 +115,7 @@ static bool begin(Run *run, Error *error)
 
 Run *run_start(Broker *broker, const RunRequest *request, Error *error)
 {
-    if ((request->kind == RUN_SCATTER && request->photons < 1) || (request->kind == RUN_LOBE && request->samples < 1) ||
+    if ((request->kind == RUN_PHOTONS && request->photons < 1) || (request->kind == RUN_LOBE && request->samples < 1) ||
         (request->kind == RUN_RENDER && (request->width < 1 || request->height < 1))) {
         error_set(error, "a run of nothing: photons, samples and sides must be above 0");
         return NULL;

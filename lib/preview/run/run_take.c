@@ -24,28 +24,28 @@ static void add_ledger(Ledger *sum, long sum_paths, const Ledger *part, long pat
     }
 }
 
-static void sum_up(const Run *run, Scatter *scatter)
+static void sum_up(const Run *run, Recording *recording)
 {
     for (int i = 0; i < run->part_count; i++) {
         const WireDone *part = &run->parts[i].result;
         if (part->emitted > 0)
-            add_ledger(&scatter->ledger, scatter->emitted, &part->ledger, part->emitted);
-        scatter->emitted += part->emitted;
-        scatter->segments += part->segments;
-        unsound_paths_add(&scatter->unsound, &part->unsound);
-        scatter->redraw_caps += part->redraw_caps;
-        scatter->bounces = part->bounces > scatter->bounces ? part->bounces : scatter->bounces;
-        scatter->play = part->play;
-        memcpy(scatter->states, part->states, sizeof scatter->states);
+            add_ledger(&recording->ledger, recording->emitted, &part->ledger, part->emitted);
+        recording->emitted += part->emitted;
+        recording->segments += part->segments;
+        unsound_paths_add(&recording->unsound, &part->unsound);
+        recording->redraw_caps += part->redraw_caps;
+        recording->bounces = part->bounces > recording->bounces ? part->bounces : recording->bounces;
+        recording->play = part->play;
+        memcpy(recording->states, part->states, sizeof recording->states);
     }
 }
 
 void run_describe_oddities(Run *run)
 {
-    Scatter sum = {.photons = NULL};
+    Recording sum = {.photons = NULL};
     char text[ODDITIES_SIZE];
     sum_up(run, &sum);
-    if (run->request.kind != RUN_SCATTER)
+    if (run->request.kind != RUN_PHOTONS)
         sum.ledger = (Ledger){.emitted = {0.0}};
     Oddities found = {&sum.ledger, sum.emitted, &sum.unsound, sum.redraw_caps, sum.states};
     oddities_describe(&found, text, sizeof text);
@@ -80,41 +80,24 @@ static Heap *legs_of(Part *part)
     return &part->legs;
 }
 
-static double find_farthest(const Scatter *scatter)
+Recording run_take_recording(Run *run)
 {
-    float farthest = 0.0f;
-    for (size_t i = 0; i < scatter->count; i++)
-        farthest = fmaxf(farthest, scatter->photons[i].flown);
-    for (size_t i = 0; i < scatter->leg_count; i++) {
-        const ScatterLeg *leg = &scatter->legs[i];
-        farthest = fmaxf(farthest, leg->flown + vec3_length(vec3_sub(leg->to, leg->from)));
-    }
-    return (double)farthest;
-}
-
-double scatter_farthest(const Scatter *scatter)
-{
-    return scatter->farthest;
-}
-
-Scatter run_take_scatter(Run *run)
-{
-    Scatter scatter = {.photons = NULL};
-    if (run->status.state != RUN_DONE || run->request.kind != RUN_SCATTER)
-        return scatter;
-    sum_up(run, &scatter);
+    Recording recording = {.photons = NULL};
+    if (run->status.state != RUN_DONE || run->request.kind != RUN_PHOTONS)
+        return recording;
+    sum_up(run, &recording);
     Heap photons = join(run, photons_of), legs = join(run, legs_of);
-    scatter.photons = (ScatterPhoton *)(void *)photons.bytes;
-    scatter.count = photons.size / sizeof *scatter.photons;
-    scatter.legs = (ScatterLeg *)(void *)legs.bytes;
-    scatter.leg_count = legs.size / sizeof *scatter.legs;
-    scatter.recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
-    scatter.seconds = run->seconds;
-    scatter.farthest = find_farthest(&scatter);
-    return scatter;
+    recording.photons = (RecordedPhoton *)(void *)photons.bytes;
+    recording.count = photons.size / sizeof *recording.photons;
+    recording.legs = (PathLeg *)(void *)legs.bytes;
+    recording.leg_count = legs.size / sizeof *recording.legs;
+    recording.recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
+    recording.seconds = run->seconds;
+    recording.farthest = recording_farthest(&recording);
+    return recording;
 }
 
-static bool copy_parts(const Run *run, Scatter *scatter)
+static bool copy_parts(const Run *run, Recording *recording)
 {
     Heap photons = {NULL, 0, 0}, legs = {NULL, 0, 0};
     bool ok = run->parts[0].photons.size > 0; // the first part's books are in by then
@@ -123,40 +106,34 @@ static bool copy_parts(const Run *run, Scatter *scatter)
         ok = heap_add(&photons, part->photons.bytes, part->photons.size) &&
              heap_add(&legs, part->legs.bytes, part->legs.size);
     }
-    scatter->photons = (ScatterPhoton *)(void *)photons.bytes;
-    scatter->count = photons.size / sizeof *scatter->photons;
-    scatter->legs = (ScatterLeg *)(void *)legs.bytes;
-    scatter->leg_count = legs.size / sizeof *scatter->legs;
-    return ok && scatter->count > 0;
+    recording->photons = (RecordedPhoton *)(void *)photons.bytes;
+    recording->count = photons.size / sizeof *recording->photons;
+    recording->legs = (PathLeg *)(void *)legs.bytes;
+    recording->leg_count = legs.size / sizeof *recording->legs;
+    return ok && recording->count > 0;
 }
 
-bool run_copy_partial(const Run *run, Scatter *scatter)
+bool run_copy_partial(const Run *run, Recording *recording)
 {
-    *scatter = (Scatter){.photons = NULL};
-    if (run->status.state != RUN_GOING || run->failing || run->request.kind != RUN_SCATTER)
+    *recording = (Recording){.photons = NULL};
+    if (run->status.state != RUN_GOING || run->failing || run->request.kind != RUN_PHOTONS)
         return false;
-    if (!copy_parts(run, scatter)) {
-        scatter_free(scatter);
+    if (!copy_parts(run, recording)) {
+        recording_free(recording);
         return false;
     }
-    scatter->play = run->parts[0].result.play;
-    memcpy(scatter->states, run->parts[0].result.states, sizeof scatter->states);
-    scatter->recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
-    scatter->emitted = (long)(run->status.fraction * (double)run->request.photons);
-    scatter->emitted = scatter->emitted > 0 ? scatter->emitted : 1;
-    for (size_t i = 0; i < scatter->count; i++)
-        scatter->bounces =
-            scatter->photons[i].at.bounce + 1 > scatter->bounces ? scatter->photons[i].at.bounce + 1 : scatter->bounces;
-    scatter->seconds = clock_seconds() - run->started;
-    scatter->farthest = find_farthest(scatter);
+    recording->play = run->parts[0].result.play;
+    memcpy(recording->states, run->parts[0].result.states, sizeof recording->states);
+    recording->recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
+    recording->emitted = (long)(run->status.fraction * (double)run->request.photons);
+    recording->emitted = recording->emitted > 0 ? recording->emitted : 1;
+    for (size_t i = 0; i < recording->count; i++)
+        recording->bounces = recording->photons[i].at.bounce + 1 > recording->bounces
+                                 ? recording->photons[i].at.bounce + 1
+                                 : recording->bounces;
+    recording->seconds = clock_seconds() - run->started;
+    recording->farthest = recording_farthest(recording);
     return true;
-}
-
-void scatter_free(Scatter *scatter)
-{
-    free(scatter->photons);
-    free(scatter->legs);
-    *scatter = (Scatter){.photons = NULL};
 }
 
 LobeSamples run_take_lobe(Run *run)
@@ -179,11 +156,4 @@ LobeSamples run_take_lobe(Run *run)
         samples.weights[samples.count] = sample.weight;
     }
     return samples;
-}
-
-void lobe_samples_free(LobeSamples *samples)
-{
-    free(samples->directions);
-    free(samples->weights);
-    *samples = (LobeSamples){NULL, NULL, 0};
 }

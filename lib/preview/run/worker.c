@@ -96,8 +96,8 @@ static bool work(Worker *worker, Error *error)
     worker->play = order->request.play_is_given ? order->request.play : step_choice_for_student();
     steps_play(worker->play);
     switch (order->request.kind) {
-    case RUN_SCATTER:
-        return worker_scatter(worker, error);
+    case RUN_PHOTONS:
+        return worker_photons(worker, error);
     case RUN_LOBE:
         return worker_lobe(worker, error);
     case RUN_RENDER:

@@ -17,7 +17,7 @@ typedef struct {
 void worker_run(Worker *worker, int pipe);
 
 // Parts of worker_run, by kind of request. False with a reason.
-bool worker_scatter(Worker *worker, Error *error);
+bool worker_photons(Worker *worker, Error *error);
 bool worker_lobe(Worker *worker, Error *error);
 bool worker_render(Worker *worker, Error *error); // goes on until it is killed
 

@@ -51,7 +51,7 @@ static int list_materials(const Scene *scene, bool all, Entry *entries)
 static int list_power(const Side *side, Entry *entries)
 {
     static const float PARTS[3] = {1.0f, 0.3f, 0.1f};
-    if (side->scatter.count == 0)
+    if (side->recording.count == 0)
         return 0;
     for (int i = 0; i < 3; i++) {
         float power = PARTS[i] * side->power;

@@ -39,7 +39,7 @@ void side_free(Side *side)
     list_caches(side, caches);
     for (int i = 0; i < SIDE_CACHES; i++)
         batch_free(side->canvas, caches[i]->batch);
-    scatter_free(&side->scatter);
+    recording_free(&side->recording);
     lobe_samples_free(&side->lobe);
     if (side->map)
         photon_map_free(side->map);
@@ -54,19 +54,19 @@ static int compare_floats(const void *a, const void *b)
 }
 
 // The power that nine of ten photons do not exceed: 1/N of all, whatever N is.
-static float bright_power(const Scatter *scatter)
+static float bright_power(const Recording *recording)
 {
     enum { MOST = 4096 };
     float powers[MOST];
-    size_t stride = scatter->count / MOST + 1, count = 0;
-    for (size_t i = 0; i < scatter->count && count < MOST; i += stride) {
-        float power = colour_max(scatter->photons[i].at.power);
+    size_t stride = recording->count / MOST + 1, count = 0;
+    for (size_t i = 0; i < recording->count && count < MOST; i += stride) {
+        float power = colour_max(recording->photons[i].at.power);
         if (power > 0.0f && isfinite(power))
             powers[count++] = power;
     }
     bool none = count == 0; // all have left: of the legs, then
-    for (size_t i = 0; none && i < scatter->leg_count && count < MOST; i++) {
-        float power = colour_max(scatter->legs[i].power);
+    for (size_t i = 0; none && i < recording->leg_count && count < MOST; i++) {
+        float power = colour_max(recording->legs[i].power);
         if (power > 0.0f && isfinite(power))
             powers[count++] = power;
     }
@@ -77,11 +77,11 @@ static float bright_power(const Scatter *scatter)
     return power > 0.0f && isfinite(power) ? power : 1.0f;
 }
 
-void side_set_scatter(Side *side, Scatter scatter)
+void side_set_recording(Side *side, Recording recording)
 {
-    scatter_free(&side->scatter);
-    side->scatter = scatter;
-    side->power = bright_power(&scatter);
+    recording_free(&side->recording);
+    side->recording = recording;
+    side->power = bright_power(&recording);
     side->points.valid = side->paths.valid = side->screen.valid = side->tree.valid = side->tree_points.valid = false;
     side->lobe_lines.valid = false; // it may show another of the two glossy steps
     side->screen_surface = -2;
@@ -90,9 +90,9 @@ void side_set_scatter(Side *side, Scatter scatter)
     side->map = NULL;
 }
 
-const Scatter *side_scatter(const Side *side)
+const Recording *side_recording(const Side *side)
 {
-    return &side->scatter;
+    return &side->recording;
 }
 
 void side_set_lobe(Side *side, LobeSamples samples)

@@ -3,7 +3,8 @@
 #define PHOTONLAB_PREVIEW_VIEW_H
 
 #include "preview/draw/canvas.h"
-#include "preview/run/run.h"
+#include "preview/record/recording.h"
+#include "scene/scene.h"
 
 typedef enum {
     VIEW_POINTS, // stored photons as points
@@ -57,9 +58,9 @@ const char *colour_mode_name(ColourMode colour);
 typedef struct Side Side;
 Side *side_create(Canvas *canvas, const Scene *scene);
 void side_free(Side *side);
-void side_set_scatter(Side *side, Scatter scatter);  // takes it over
-const Scatter *side_scatter(const Side *side);       // empty (count 0) at first
-void side_set_lobe(Side *side, LobeSamples samples); // takes it over
+void side_set_recording(Side *side, Recording recording); // takes it over
+const Recording *side_recording(const Side *side);        // empty (count 0) at first
+void side_set_lobe(Side *side, LobeSamples samples);      // takes it over
 
 // What the text around the picture says.
 typedef struct {

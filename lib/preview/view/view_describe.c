@@ -8,20 +8,20 @@ static void describe_points(const View *view, const Side *side, char *text, size
     snprintf(text, size, "photons where they landed, coloured by %s", colour_mode_name(view->colour));
     if (view->flight >= 0.0) {
         size_t count = 0;
-        for (size_t i = 0; i < side->scatter.count; i++)
-            count += (double)side->scatter.photons[i].flown <= view->flight;
+        for (size_t i = 0; i < side->recording.count; i++)
+            count += (double)side->recording.photons[i].flown <= view->flight;
         snprintf(text, size, "after %.2f m of flight: %zu of %zu photons have landed", view->flight, count,
-                 side->scatter.count);
+                 side->recording.count);
     }
 }
 
 static void describe_paths(const View *view, const Side *side, char *text, size_t size)
 {
-    const Scatter *scatter = &side->scatter;
+    const Recording *recording = &side->recording;
     size_t count;
-    const ScatterLeg *legs = view->path >= 0 ? path_legs(scatter, view->path, &count) : NULL;
+    const PathLeg *legs = view->path >= 0 ? path_legs(recording, view->path, &count) : NULL;
     if (view->path < 0) {
-        snprintf(text, size, "paths of the first %ld photons, coloured by %s", scatter->recorded,
+        snprintf(text, size, "paths of the first %ld photons, coloured by %s", recording->recorded,
                  colour_mode_name(view->colour));
         return;
     }
@@ -31,7 +31,7 @@ static void describe_paths(const View *view, const Side *side, char *text, size_
     }
     bool all = view->bounce < 0 || (size_t)view->bounce >= count;
     size_t present = all ? count - 1 : (size_t)view->bounce;
-    const ScatterLeg *leg = &legs[present];
+    const PathLeg *leg = &legs[present];
     static const char *const ENDS[] = {"lands", "meets a lamp", "leaves the scene"};
     snprintf(
         text, size,
@@ -44,8 +44,8 @@ static void describe_paths(const View *view, const Side *side, char *text, size_
 static void describe_lobe(const View *view, const Side *side, char *text, size_t size)
 {
     size_t count = side->lobe.count;
-    const char *step = view->diffuse ? "1.3" : side->scatter.play.glossy == GLOSSY_PHONG ? "2.4" : "2.3";
-    const StepState state = side->scatter.states[step_find(step) - step_table];
+    const char *step = view->diffuse ? "1.3" : side->recording.play.glossy == GLOSSY_PHONG ? "2.4" : "2.3";
+    const StepState state = side->recording.states[step_find(step) - step_table];
     const char *whose = state == STEP_STUDENT       ? ", yours"
                         : state == STEP_NOT_STARTED ? ", the reference's"
                                                     : ""; // nobody else is there

@@ -41,7 +41,7 @@ void cache_fill(Canvas *canvas, Cache *cache, Vertices *list);
 struct Side {
     Canvas *canvas;
     const Scene *scene;
-    Scatter scatter;
+    Recording recording;
     LobeSamples lobe;
     Cache wires, points, paths, screen, tree, tree_points, lobe_lines, lobe_points;
     float *flown;   // of the points, in their order, when they are sorted by it
@@ -89,9 +89,9 @@ Rgba points_colour(const Side *side, ColourMode mode, const StoredPhoton *photon
 
 // ---- paths ----
 // The chosen path's legs; *count 0 when it has none.
-const ScatterLeg *path_legs(const Scatter *scatter, long path, size_t *count);
+const PathLeg *path_legs(const Recording *recording, long path, size_t *count);
 // The part that has been flown, 0…1.
-float leg_flown(const ScatterLeg *leg, double flight);
+float leg_flown(const PathLeg *leg, double flight);
 
 // ---- lobe ----
 // Density over directions, 1/sr, of the step that this view shows, in coordinates about the normal +z with the mirror
@@ -110,7 +110,7 @@ bool lobe_prepare(const View *view, StepChoice play, Lobe *lobe); // false: no m
 void lobe_cloud(const Lobe *lobe, Side *side, Vertices *list);
 
 // ---- screen ----
-int screen_busiest(const Scene *scene, const Scatter *scatter); // −1: there is none
+int screen_busiest(const Scene *scene, const Recording *recording); // −1: there is none
 // Where a photon lies on a flat, 0…1 each; false when it is not on it.
 bool screen_place(const Flat *flat, uint8_t material, const StoredPhoton *photon, float tolerance, float *u, float *v);
 int screen_surface(Side *side, const View *view); // the one that is shown

@@ -188,10 +188,10 @@ void view_lobe_draw(const Pane *pane)
 {
     Side *side = pane->side;
     const View *view = pane->view;
-    const double key[KEY_SIZE] = {view->exponent, view->angle, view->diffuse, side->scatter.play.glossy};
+    const double key[KEY_SIZE] = {view->exponent, view->angle, view->diffuse, side->recording.play.glossy};
     bool lines_known = cache_is(&side->lobe_lines, key), points_known = cache_is(&side->lobe_points, key);
     Lobe lobe;
-    if ((!lines_known || !points_known) && lobe_prepare(view, side->scatter.play, &lobe)) {
+    if ((!lines_known || !points_known) && lobe_prepare(view, side->recording.play, &lobe)) {
         Vertices lines = {.items = NULL}, points = {.items = NULL};
         add_stage(view, &lines);
         add_surface(&lobe, &lines);

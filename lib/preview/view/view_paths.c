@@ -3,19 +3,19 @@
 
 #define DIM 0.18f // of the other paths, beside the chosen one
 
-const ScatterLeg *path_legs(const Scatter *scatter, long path, size_t *count)
+const PathLeg *path_legs(const Recording *recording, long path, size_t *count)
 {
     size_t first = 0;
-    while (first < scatter->leg_count && (long)scatter->legs[first].path != path)
+    while (first < recording->leg_count && (long)recording->legs[first].path != path)
         first++;
     size_t end = first;
-    while (end < scatter->leg_count && (long)scatter->legs[end].path == path)
+    while (end < recording->leg_count && (long)recording->legs[end].path == path)
         end++;
     *count = end - first;
-    return *count ? &scatter->legs[first] : NULL;
+    return *count ? &recording->legs[first] : NULL;
 }
 
-float leg_flown(const ScatterLeg *leg, double flight)
+float leg_flown(const PathLeg *leg, double flight)
 {
     if (flight < 0.0)
         return 1.0f;
@@ -27,7 +27,7 @@ float leg_flown(const ScatterLeg *leg, double flight)
 }
 
 // Many short legs crowd inside a stone: they would drown the rest.
-static float length_share(const Side *side, const ScatterLeg *leg)
+static float length_share(const Side *side, const PathLeg *leg)
 {
     Box box = bvh_bounds(side->scene->bvh);
     float size = vec3_length(vec3_sub(box.high, box.low));
@@ -35,7 +35,7 @@ static float length_share(const Side *side, const ScatterLeg *leg)
     return fminf(fmaxf(share, 0.12f), 1.0f);
 }
 
-static Rgba leg_colour(const Side *side, ColourMode mode, const ScatterLeg *leg)
+static Rgba leg_colour(const Side *side, ColourMode mode, const PathLeg *leg)
 {
     Rgba colour = rgba_of_power(leg->power, side->power);
     float strength = fmaxf((float)(colour.r > colour.g ? colour.r : colour.g), (float)colour.b) / 255.0f;
@@ -64,7 +64,7 @@ static Rgba leg_colour(const Side *side, ColourMode mode, const ScatterLeg *leg)
 }
 
 // The part of a leg that has been flown; the light's front is bright.
-static void add_leg(Vertices *list, const ScatterLeg *leg, Rgba colour, double flight)
+static void add_leg(Vertices *list, const PathLeg *leg, Rgba colour, double flight)
 {
     float flown = leg_flown(leg, flight);
     if (!(flown > 0.0f) || !isfinite(vec3_dot(leg->from, leg->from) + vec3_dot(leg->to, leg->to)))
@@ -87,7 +87,7 @@ static float lines_exposure(const Pane *pane, size_t count)
     return fminf(fmaxf(1.8f * room / ((float)count + 1.0f), 0.05f), 0.9f);
 }
 
-static void draw_chosen(const Pane *pane, const ScatterLeg *legs, size_t count)
+static void draw_chosen(const Pane *pane, const PathLeg *legs, size_t count)
 {
     const View *view = pane->view;
     size_t shown = view->bounce < 0 || (size_t)view->bounce >= count ? count : (size_t)view->bounce + 1;
@@ -125,19 +125,20 @@ void view_paths_draw(const Pane *pane)
 {
     Side *side = pane->side;
     const View *view = pane->view;
-    const Scatter *scatter = &side->scatter;
+    const Recording *recording = &side->recording;
     size_t count = 0;
-    const ScatterLeg *chosen = view->path >= 0 ? path_legs(scatter, view->path, &count) : NULL;
+    const PathLeg *chosen = view->path >= 0 ? path_legs(recording, view->path, &count) : NULL;
     const double key[KEY_SIZE] = {view->colour, view->flight};
     if (!cache_is(&side->paths, key)) {
         Vertices list = {.items = NULL};
-        for (size_t i = 0; i < scatter->leg_count; i++)
-            add_leg(&list, &scatter->legs[i],
-                    rgba_fade(leg_colour(side, view->colour, &scatter->legs[i]), length_share(side, &scatter->legs[i])),
-                    view->flight);
+        for (size_t i = 0; i < recording->leg_count; i++)
+            add_leg(
+                &list, &recording->legs[i],
+                rgba_fade(leg_colour(side, view->colour, &recording->legs[i]), length_share(side, &recording->legs[i])),
+                view->flight);
         cache_fill(pane->canvas, &side->paths, &list);
     }
-    float exposure = lines_exposure(pane, scatter->leg_count) * (chosen ? DIM : 1.0f);
+    float exposure = lines_exposure(pane, recording->leg_count) * (chosen ? DIM : 1.0f);
     pane_look(pane, &view->orbit, bvh_bounds(pane->scene->bvh));
     batch_draw(pane->canvas, side->paths.batch, 0, batch_count(side->paths.batch),
                &(DrawStyle){.kind = DRAW_LINES, .additive = true, .no_depth = true, .exposure = exposure});

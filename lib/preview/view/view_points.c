@@ -55,7 +55,7 @@ static uint32_t float_order(float value)
 }
 
 // Indices of photons by the way flown: by 11 bits at a time. NULL when memory is short.
-static uint32_t *order_by_flight(const ScatterPhoton *photons, size_t count)
+static uint32_t *order_by_flight(const RecordedPhoton *photons, size_t count)
 {
     uint32_t *order = malloc((count + 1) * sizeof *order), *other = malloc((count + 1) * sizeof *other);
     for (size_t i = 0; order && i < count; i++)
@@ -85,7 +85,7 @@ static void build(Side *side, ColourMode mode, const uint32_t *which, size_t cou
     if (!vertices_reserve(&list, count))
         count = 0;
     for (size_t i = 0; i < count; i++) {
-        const ScatterPhoton *photon = &side->scatter.photons[which ? which[i] : i];
+        const RecordedPhoton *photon = &side->recording.photons[which ? which[i] : i];
         Vec3 at = photon->at.position;
         Rgba colour = points_colour(side, mode, &photon->at);
         list.items[i] = (Vertex){at.x, at.y, at.z, colour.r, colour.g, colour.b, colour.a};
@@ -114,13 +114,13 @@ void view_points_draw(const Pane *pane)
 {
     Side *side = pane->side;
     const View *view = pane->view;
-    size_t count = side->scatter.count, most = view->most_points;
+    size_t count = side->recording.count, most = view->most_points;
     size_t drawn = most > 0 && most < count ? most : count;
     bool sorted = view->flight >= 0.0;
     // Sorted, only the photons drawn are there; else all, and a first part of them is drawn.
     const double key[KEY_SIZE] = {view->colour, sorted, sorted ? (double)drawn : 0.0};
     if (!cache_is(&side->points, key)) {
-        uint32_t *order = sorted ? order_by_flight(side->scatter.photons, drawn) : NULL;
+        uint32_t *order = sorted ? order_by_flight(side->recording.photons, drawn) : NULL;
         build(side, view->colour, order, order ? drawn : count);
         free(order);
     }

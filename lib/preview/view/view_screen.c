@@ -38,16 +38,16 @@ static float scene_size(const Scene *scene)
     return vec3_length(vec3_sub(box.high, box.low));
 }
 
-int screen_busiest(const Scene *scene, const Scatter *scatter)
+int screen_busiest(const Scene *scene, const Recording *recording)
 {
     size_t *landed = calloc(scene->flat_count + 1, sizeof *landed);
     size_t coloured = 0;
     float reach = 1e-4f * scene_size(scene);
-    for (size_t i = 0; i < scatter->count; i++)
-        coloured += scatter->photons[i].at.colour != WHITE;
-    size_t wanted = coloured ? coloured : scatter->count, stride = wanted / LOOKED_AT + 1, met = 0;
-    for (size_t i = 0; landed && i < scatter->count; i++) {
-        const StoredPhoton *photon = &scatter->photons[i].at;
+    for (size_t i = 0; i < recording->count; i++)
+        coloured += recording->photons[i].at.colour != WHITE;
+    size_t wanted = coloured ? coloured : recording->count, stride = wanted / LOOKED_AT + 1, met = 0;
+    for (size_t i = 0; landed && i < recording->count; i++) {
+        const StoredPhoton *photon = &recording->photons[i].at;
         uint32_t primitive;
         if ((coloured && photon->colour == WHITE) || met++ % stride != 0)
             continue;
@@ -70,7 +70,7 @@ int screen_surface(Side *side, const View *view)
     if (view->surface >= 0)
         return view->surface < (int)side->scene->flat_count ? view->surface : -1;
     if (side->screen_surface == -2)
-        side->screen_surface = screen_busiest(side->scene, &side->scatter);
+        side->screen_surface = screen_busiest(side->scene, &side->recording);
     return side->screen_surface;
 }
 
@@ -108,8 +108,8 @@ static void build(Side *side, ColourMode mode, const Flat *flat)
         vertices_line(&list, corners[i], corners[(i + 1) % count], edge);
     side->arrivals_inside = list.count; // where the points begin
     float tolerance = 1e-4f * scene_size(side->scene), u, v;
-    for (size_t i = 0; i < side->scatter.count; i++) {
-        const StoredPhoton *photon = &side->scatter.photons[i].at;
+    for (size_t i = 0; i < side->recording.count; i++) {
+        const StoredPhoton *photon = &side->recording.photons[i].at;
         if (screen_place(flat, (uint8_t)flat->material, photon, tolerance, &u, &v))
             vertices_point(&list, sheet_point(&sheet, u, v), points_colour(side, mode, photon));
     }

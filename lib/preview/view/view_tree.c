@@ -23,15 +23,15 @@ Box tree_cell(const PhotonMap *map, int level, size_t i, size_t *count)
 }
 
 // A map of the side's photons; without those that no map takes.
-static PhotonMap *build_map(const Scatter *scatter)
+static PhotonMap *build_map(const Recording *recording)
 {
-    StoredPhoton *photons = malloc((scatter->count + 1) * sizeof *photons);
+    StoredPhoton *photons = malloc((recording->count + 1) * sizeof *photons);
     size_t count = 0;
     Error error;
-    for (size_t i = 0; photons && i < scatter->count; i++) {
-        Vec3 p = scatter->photons[i].at.position;
+    for (size_t i = 0; photons && i < recording->count; i++) {
+        Vec3 p = recording->photons[i].at.position;
         if (fabsf(p.x) < 1e18f && fabsf(p.y) < 1e18f && fabsf(p.z) < 1e18f)
-            photons[count++] = scatter->photons[i].at;
+            photons[count++] = recording->photons[i].at;
     }
     return photons ? photon_map_build(photons, count, &error) : NULL;
 }
@@ -61,7 +61,7 @@ static void build(Side *side, int level)
 void view_tree_draw(const Pane *pane)
 {
     Side *side = pane->side;
-    if (!side->map && !(side->map = build_map(&side->scatter)))
+    if (!side->map && !(side->map = build_map(&side->recording)))
         return;
     int level = pane->view->level < tree_depth(side->map) ? pane->view->level : tree_depth(side->map);
     const double key[KEY_SIZE] = {level};

@@ -68,11 +68,11 @@ static inline void build_faults(const Fault *faults, size_t count)
 
 // ---- runs
 
-static inline RunRequest scatter_request(const char *name, char *code, size_t size)
+static inline RunRequest photons_request(const char *name, char *code, size_t size)
 {
     if (name)
         snprintf(code, size, "%s/%s", folder, name);
-    return (RunRequest){.kind = RUN_SCATTER, .code = name ? code : NULL, .seed = 7, .photons = 4000, .recorded = 50};
+    return (RunRequest){.kind = RUN_PHOTONS, .code = name ? code : NULL, .seed = 7, .photons = 4000, .recorded = 50};
 }
 
 static inline RunStatus finish(Run *run)
@@ -106,29 +106,29 @@ static inline PhotonPass pass_of(const RunRequest *request)
     return pass;
 }
 
-static inline void check_photons(const Scatter *scatter, const PhotonPass *pass, const char *what)
+static inline void check_photons(const Recording *recording, const PhotonPass *pass, const char *what)
 {
-    if (scatter->count != pass->rest.count)
-        fail_msg("%s: %zu photons, expected %zu", what, scatter->count, pass->rest.count);
-    for (size_t i = 0; i < scatter->count; i++)
-        if (memcmp(&scatter->photons[i].at, &pass->rest.photons[i], sizeof(StoredPhoton)) != 0)
+    if (recording->count != pass->rest.count)
+        fail_msg("%s: %zu photons, expected %zu", what, recording->count, pass->rest.count);
+    for (size_t i = 0; i < recording->count; i++)
+        if (memcmp(&recording->photons[i].at, &pass->rest.photons[i], sizeof(StoredPhoton)) != 0)
             fail_msg("%s: photon %zu differs", what, i);
 }
 
 static inline void good_run(const char *what)
 {
     char code[1024];
-    RunRequest request = scatter_request("good", code, sizeof code);
+    RunRequest request = photons_request("good", code, sizeof code);
     PhotonPass pass = pass_of(&request);
     Run *run = start(&request);
     RunStatus status = finish(run);
     if (status.state != RUN_DONE)
         fail_msg("%s: %s", what, status.failure);
-    Scatter scatter = run_take_scatter(run);
-    check_photons(&scatter, &pass, what);
-    assert_int_equal(scatter.states[2], STEP_STUDENT);
+    Recording recording = run_take_recording(run);
+    check_photons(&recording, &pass, what);
+    assert_int_equal(recording.states[2], STEP_STUDENT);
     run_free(run);
-    scatter_free(&scatter);
+    recording_free(&recording);
     photon_pass_free(&pass);
 }
 

@@ -40,7 +40,7 @@ static void nothing_is_left_of_200_runs(void **state)
     char code[1024];
     int before = count_files();
     for (int i = 0; i < 200; i++) {
-        RunRequest request = scatter_request(i % 5 ? "endless" : NULL, code, sizeof code);
+        RunRequest request = photons_request(i % 5 ? "endless" : NULL, code, sizeof code);
         Run *run = start(&request);
         if (i % 2)
             run_wait(run, 0.001);
@@ -85,7 +85,7 @@ static void the_helper_ends_with_the_window(void **state)
     if (window == 0) {
         char code[1024];
         Broker *own = broker_start(scene, NULL, NULL);
-        RunRequest request = scatter_request("endless", code, sizeof code);
+        RunRequest request = photons_request("endless", code, sizeof code);
         Run *run = own ? run_start(own, &request, NULL) : NULL;
         long pids[2] = {own ? (long)own->pid : 0, 0};
         while (run && !(pids[1] = own->hearts[0].pid))
@@ -111,7 +111,7 @@ static void a_lost_helper_is_told(void **state)
     Error error = {""};
     Broker *own = broker_start(scene, NULL, &error);
     assert_non_null(own);
-    RunRequest request = scatter_request("endless", code, sizeof code);
+    RunRequest request = photons_request("endless", code, sizeof code);
     Run *run = run_start(own, &request, &error);
     kill(own->pid, SIGKILL);
     RunStatus status = finish(run);

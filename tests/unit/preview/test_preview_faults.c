@@ -41,13 +41,13 @@ static void fails(const char *name, const char *expected)
     if (at)
         snprintf(whole, sizeof whole, "%.*s%s%s", (int)(at - expected), expected, has_addr2line() ? ":" : "",
                  has_addr2line() ? at + 1 : strchr(at, ':'));
-    RunRequest request = scatter_request(name, code, sizeof code);
+    RunRequest request = photons_request(name, code, sizeof code);
     Run *run = start(&request);
     run_patience(run, 0.15);
     RunStatus status = finish(run);
     if (status.state != RUN_FAILED || strcmp(status.failure, at ? whole : expected) != 0)
         fail_msg("%s: state %d, `%s`, expected `%s`", name, status.state, status.failure, at ? whole : expected);
-    assert_int_equal(run_take_scatter(run).count, 0);
+    assert_int_equal(run_take_recording(run).count, 0);
     run_free(run);
     good_run(name);
 }

@@ -5,7 +5,7 @@ static void the_photons_of_a_pass(void **state)
 {
     (void)state;
     char code[1024];
-    RunRequest request = scatter_request(NULL, code, sizeof code);
+    RunRequest request = photons_request(NULL, code, sizeof code);
     request.photons = 20000;
     PhotonPass pass = pass_of(&request);
     for (int workers = 1; workers <= 3; workers++) {
@@ -15,19 +15,19 @@ static void the_photons_of_a_pass(void **state)
         assert_string_equal(status.failure, "");
         assert_string_equal(status.notice, "");
         assert_int_equal(status.state, RUN_DONE);
-        Scatter scatter = run_take_scatter(run);
-        check_photons(&scatter, &pass, "scatter");
-        assert_int_equal(scatter.emitted, request.photons);
-        assert_int_equal(scatter.segments, pass.segments);
+        Recording recording = run_take_recording(run);
+        check_photons(&recording, &pass, "photons");
+        assert_int_equal(recording.emitted, request.photons);
+        assert_int_equal(recording.segments, pass.segments);
         for (int c = 0; c < 3; c++) {
-            assert_within(scatter.ledger.emitted[c], pass.ledger.emitted[c], 1e-9, "emitted");
-            assert_within(scatter.ledger.absorbed[c], pass.ledger.absorbed[c], 1e-9, "absorbed");
-            assert_within(scatter.ledger.escaped[c], pass.ledger.escaped[c], 1e-9, "escaped");
-            assert_within(scatter.ledger.chance[c], pass.ledger.chance[c], 1e-9, "chance");
-            assert_within(scatter.ledger.chance_error[c], pass.ledger.chance_error[c], 1e-9, "error of chance");
+            assert_within(recording.ledger.emitted[c], pass.ledger.emitted[c], 1e-9, "emitted");
+            assert_within(recording.ledger.absorbed[c], pass.ledger.absorbed[c], 1e-9, "absorbed");
+            assert_within(recording.ledger.escaped[c], pass.ledger.escaped[c], 1e-9, "escaped");
+            assert_within(recording.ledger.chance[c], pass.ledger.chance[c], 1e-9, "chance");
+            assert_within(recording.ledger.chance_error[c], pass.ledger.chance_error[c], 1e-9, "error of chance");
         }
         run_free(run);
-        scatter_free(&scatter);
+        recording_free(&recording);
     }
     broker_workers(broker, 2);
     photon_pass_free(&pass);
@@ -38,14 +38,14 @@ static void legs_and_flight(void **state)
 {
     (void)state;
     char code[1024];
-    RunRequest request = scatter_request(NULL, code, sizeof code);
+    RunRequest request = photons_request(NULL, code, sizeof code);
     request.photons = request.recorded = 3000;
     Run *run = start(&request);
     assert_int_equal(finish(run).state, RUN_DONE);
-    Scatter scatter = run_take_scatter(run);
+    Recording recording = run_take_recording(run);
     size_t photon = 0, ends[3] = {0}, followed = 0;
-    for (size_t i = 0; i < scatter.leg_count; i++) {
-        const ScatterLeg *leg = &scatter.legs[i];
+    for (size_t i = 0; i < recording.leg_count; i++) {
+        const PathLeg *leg = &recording.legs[i];
         float length = vec3_length(vec3_sub(leg->to, leg->from)), flown = leg->flown + length;
         ends[leg->end]++;
         assert_true(leg->path < 3000 && (i == 0 || leg->path >= leg[-1].path));
@@ -55,19 +55,19 @@ static void legs_and_flight(void **state)
             assert_within(leg->flown, leg[-1].flown + vec3_length(vec3_sub(leg[-1].to, leg[-1].from)), 1e-4, "flown");
             followed++;
         }
-        if (leg->end != LEG_SURFACE || photon == scatter.count)
+        if (leg->end != LEG_SURFACE || photon == recording.count)
             continue;
-        const ScatterPhoton *stored = &scatter.photons[photon]; // in the same order; mirrors and glass store none
+        const RecordedPhoton *stored = &recording.photons[photon]; // in the same order; mirrors and glass store none
         if (memcmp(&stored->at.position, &leg->to, sizeof leg->to) == 0) {
             assert_within(stored->flown, flown, 1e-4, "a photon's flight");
             photon++;
         }
-        assert_true((double)flown <= scatter_farthest(&scatter) * 1.00001);
+        assert_true((double)flown <= recording.farthest * 1.00001);
     }
-    assert_int_equal(photon, scatter.count);
+    assert_int_equal(photon, recording.count);
     assert_true(ends[LEG_SURFACE] > 3000 && ends[LEG_ESCAPED] > 100 && followed > 3000);
     run_free(run);
-    scatter_free(&scatter);
+    recording_free(&recording);
 }
 
 static void lobe_is_the_step(void **state)
@@ -137,8 +137,8 @@ static void passes_of_a_render(void **state)
 static void what_has_come_is_a_first_part(void **state)
 {
     (void)state;
-    RunRequest request = {.kind = RUN_SCATTER, .seed = 7, .photons = 100000, .recorded = 10};
-    Scatter early, whole;
+    RunRequest request = {.kind = RUN_PHOTONS, .seed = 7, .photons = 100000, .recorded = 10};
+    Recording early, whole;
     broker_workers(broker, 1);
     Run *run = start(&request);
     bool some = false;
@@ -149,13 +149,13 @@ static void what_has_come_is_a_first_part(void **state)
     assert_true(some);
     assert_int_equal(finish(run).state, RUN_DONE);
     assert_false(run_copy_partial(run, &whole));
-    whole = run_take_scatter(run);
+    whole = run_take_recording(run);
     assert_true(early.count > 0 && early.count < whole.count / 2);
     assert_int_equal(early.states[2], STEP_REFERENCE);
     assert_true(early.emitted > 0 && early.emitted < 100000);
     assert_memory_equal(early.photons, whole.photons, early.count * sizeof *early.photons);
-    scatter_free(&early);
-    scatter_free(&whole);
+    recording_free(&early);
+    recording_free(&whole);
     run_free(run);
     broker_workers(broker, 2);
 }

@@ -49,32 +49,32 @@ static void brightness_does_not_depend_on_the_number(void **state)
 }
 
 // The same photons as a side has them.
-static Scatter scatter_of(const Scene *scene, long emitted)
+static Recording recording_of(const Scene *scene, long emitted)
 {
     PhotonPass pass = photons_of(scene, emitted, 1, PLAY_DEFAULT);
-    Scatter scatter = {.count = pass.rest.count, .emitted = emitted};
-    scatter.photons = calloc(pass.rest.count + 1, sizeof *scatter.photons);
-    assert_non_null(scatter.photons);
-    for (size_t i = 0; i < scatter.count; i++)
-        scatter.photons[i] = (ScatterPhoton){pass.rest.photons[i], (float)(i * 7919 % 1000) * 0.01f};
+    Recording recording = {.count = pass.rest.count, .emitted = emitted};
+    recording.photons = calloc(pass.rest.count + 1, sizeof *recording.photons);
+    assert_non_null(recording.photons);
+    for (size_t i = 0; i < recording.count; i++)
+        recording.photons[i] = (RecordedPhoton){pass.rest.photons[i], (float)(i * 7919 % 1000) * 0.01f};
     photon_pass_free(&pass);
-    return scatter;
+    return recording;
 }
 
 static void the_prisms_colours_choose_the_screen(void **state)
 {
     (void)state;
     Scene *scene = scene_from_file("scenes/prism.yaml");
-    Scatter scatter = scatter_of(scene, 20000);
-    int surface = screen_busiest(scene, &scatter);
+    Recording recording = recording_of(scene, 20000);
+    int surface = screen_busiest(scene, &recording);
     assert_true(surface >= 0);
     const Flat *flat = &scene->flats[surface];
     assert_string_equal(scene->materials[flat->material].name, "screen");
     // Behind the prism, the colours lie apart across it: their middles differ, in order.
     double sums[4] = {0}, counts[4] = {0};
-    for (size_t i = 0; i < scatter.count; i++) {
+    for (size_t i = 0; i < recording.count; i++) {
         float u, v;
-        const StoredPhoton *photon = &scatter.photons[i].at;
+        const StoredPhoton *photon = &recording.photons[i].at;
         if (!screen_place(flat, (uint8_t)flat->material, photon, 1e-4f, &u, &v))
             continue;
         assert_true(u > -0.01f && u < 1.01f && v > -0.01f && v < 1.01f);
@@ -90,7 +90,7 @@ static void the_prisms_colours_choose_the_screen(void **state)
     double red = sums[RED] / counts[RED], green = sums[GREEN] / counts[GREEN], blue = sums[BLUE] / counts[BLUE];
     assert_true((red < green && green < blue) || (red > green && green > blue));
     assert_true(fabs(blue - green) > fabs(green - red)); // normal dispersion: blue is bent the most
-    scatter_free(&scatter);
+    recording_free(&recording);
     scene_free(scene);
 }
 
@@ -98,20 +98,20 @@ static void cells_hold_every_photon_once(void **state)
 {
     (void)state;
     Scene *scene = scene_from_file("scenes/box_diffuse.yaml");
-    Scatter scatter = scatter_of(scene, 3000);
-    StoredPhoton *photons = malloc((scatter.count + 1) * sizeof *photons);
+    Recording recording = recording_of(scene, 3000);
+    StoredPhoton *photons = malloc((recording.count + 1) * sizeof *photons);
     assert_non_null(photons);
-    for (size_t i = 0; i < scatter.count; i++)
-        photons[i] = scatter.photons[i].at;
+    for (size_t i = 0; i < recording.count; i++)
+        photons[i] = recording.photons[i].at;
     Error error;
-    PhotonMap *map = photon_map_build(photons, scatter.count, &error);
+    PhotonMap *map = photon_map_build(photons, recording.count, &error);
     assert_non_null(map);
     for (int level = 0; level <= tree_depth(map); level++) {
         size_t seen = 0;
         for (size_t i = 0; i < (size_t)1 << level; i++) {
             size_t count;
             Box box = tree_cell(map, level, i, &count);
-            assert_true(count <= (scatter.count >> level) + 1);
+            assert_true(count <= (recording.count >> level) + 1);
             for (size_t p = seen; p < seen + count; p++) {
                 Vec3 at = photon_map_photons(map)[p].position;
                 assert_true(at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y &&
@@ -119,28 +119,28 @@ static void cells_hold_every_photon_once(void **state)
             }
             seen += count;
         }
-        assert_int_equal(seen, scatter.count);
+        assert_int_equal(seen, recording.count);
     }
     photon_map_free(map);
-    scatter_free(&scatter);
+    recording_free(&recording);
     scene_free(scene);
 }
 
 static void legs_are_found_and_cut_at_the_front(void **state)
 {
     (void)state;
-    ScatterLeg legs[5] = {{.path = 3, .flown = 0, .to = {2, 0, 0}},
-                          {.path = 3, .flown = 2, .to = {0, 4, 0}, .bounce = 1},
-                          {.path = 5, .flown = 0, .to = {1, 0, 0}},
-                          {.path = 8, .flown = 0, .to = {1, 0, 0}},
-                          {.path = 8, .flown = 1, .to = {1, 0, 0}}};
-    Scatter scatter = {.legs = legs, .leg_count = 5};
+    PathLeg legs[5] = {{.path = 3, .flown = 0, .to = {2, 0, 0}},
+                       {.path = 3, .flown = 2, .to = {0, 4, 0}, .bounce = 1},
+                       {.path = 5, .flown = 0, .to = {1, 0, 0}},
+                       {.path = 8, .flown = 0, .to = {1, 0, 0}},
+                       {.path = 8, .flown = 1, .to = {1, 0, 0}}};
+    Recording recording = {.legs = legs, .leg_count = 5};
     size_t count;
-    assert_ptr_equal(path_legs(&scatter, 3, &count), legs);
+    assert_ptr_equal(path_legs(&recording, 3, &count), legs);
     assert_int_equal(count, 2);
-    assert_ptr_equal(path_legs(&scatter, 8, &count), legs + 3);
+    assert_ptr_equal(path_legs(&recording, 8, &count), legs + 3);
     assert_int_equal(count, 2);
-    assert_null(path_legs(&scatter, 4, &count));
+    assert_null(path_legs(&recording, 4, &count));
     assert_int_equal(count, 0);
     assert_true(leg_flown(&legs[1], -1) == 1.0f);
     assert_true(leg_flown(&legs[1], 1.5) == 0.0f);
@@ -204,12 +204,12 @@ static void every_view_draws(void **state)
     View view = view_default(scene);
     Captions captions = {.help = "keys", .left_title = "yours", .right_title = "reference", .status = "status"};
     view_draw(canvas, scene, &view, empty, NULL, &captions); // nothing is there yet
-    side_set_scatter(side, scatter_of(scene, 100000));
+    side_set_recording(side, recording_of(scene, 100000));
     view.wireframe = false;
     captions.bare = true;
     view_draw(canvas, scene, &view, side, NULL, &captions);
     double all = mean_brightness(canvas);
-    view.most_points = side_scatter(side)->count / 10;
+    view.most_points = side_recording(side)->count / 10;
     view_draw(canvas, scene, &view, side, NULL, &captions);
     double part = mean_brightness(canvas);
     assert_true(all > 8 && part / all > 0.6 && part / all < 1.6);

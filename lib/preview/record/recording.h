@@ -1,6 +1,7 @@
-// What a photon pass left behind for the preview: photons at rest, and the legs of some of the paths.
-#ifndef PHOTONLAB_PREVIEW_SCATTER_H
-#define PHOTONLAB_PREVIEW_SCATTER_H
+// What students' code left behind for the preview: photons at rest and legs of paths, and the directions of a lobe. Views
+// draw it; where it comes from, a process or a file, they do not know.
+#ifndef PHOTONLAB_PREVIEW_RECORDING_H
+#define PHOTONLAB_PREVIEW_RECORDING_H
 
 #include "photons/pass/photon_pass.h"
 #include "steps/steps.h"
@@ -9,7 +10,7 @@
 typedef struct {
     StoredPhoton at;
     float flown;
-} ScatterPhoton;
+} RecordedPhoton;
 
 typedef enum {
     LEG_SURFACE, // ends at a surface, and what happened there shows in the next leg, if there is one
@@ -27,12 +28,13 @@ typedef struct {
     uint16_t bounce;
     uint8_t colour; // PhotonColour
     uint8_t end;    // LegEnd
-} ScatterLeg;
+} PathLeg;
 
+// Of one photon pass.
 typedef struct {
-    ScatterPhoton *photons; // in the order of the paths: any first part is a fair sample
+    RecordedPhoton *photons; // in the order of the paths: any first part is a fair sample
     size_t count;
-    ScatterLeg *legs; // of the first `recorded` paths
+    PathLeg *legs; // of the first `recorded` paths
     size_t leg_count;
     long recorded, emitted;
     int bounces; // the most that a photon had met
@@ -44,9 +46,18 @@ typedef struct {
     double farthest; // that any of the photons and legs had flown, m
     StepState states[STEP_COUNT];
     StepChoice play;
-} Scatter;
+} Recording;
 
 // The largest `flown` of its photons and of its legs' ends, m.
-double scatter_farthest(const Scatter *scatter);
+double recording_farthest(const Recording *recording);
+void recording_free(Recording *recording);
+
+// Directions of a lobe, with the weight of each; a weight of 0 stands for one that was absorbed.
+typedef struct {
+    Vec3 *directions;
+    float *weights;
+    size_t count;
+} LobeSamples;
+void lobe_samples_free(LobeSamples *samples);
 
 #endif

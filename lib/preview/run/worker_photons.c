@@ -14,18 +14,18 @@ typedef struct {
     long path_photons, path_legs;
     int bounces;
     size_t photon_count, leg_count;
-    ScatterPhoton photons[BATCH];
-    ScatterLeg legs[BATCH];
-} Scattering;
+    RecordedPhoton photons[BATCH];
+    PathLeg legs[BATCH];
+} PhotonSender;
 
-static void flush_photons(Scattering *s)
+static void flush_photons(PhotonSender *s)
 {
     if (s->photon_count > 0)
         worker_send(WIRE_PHOTONS, s->photons, s->photon_count * sizeof s->photons[0]);
     s->photon_count = 0;
 }
 
-static void flush_legs(Scattering *s)
+static void flush_legs(PhotonSender *s)
 {
     if (s->leg_count > 0)
         worker_send(WIRE_LEGS, s->legs, s->leg_count * sizeof s->legs[0]);
@@ -34,7 +34,7 @@ static void flush_legs(Scattering *s)
 
 static void take_path(void *user, long path)
 {
-    Scattering *s = user;
+    PhotonSender *s = user;
     s->path = path;
     s->path_photons = s->path_legs = 0;
     s->worker->heart->beats++;
@@ -43,23 +43,23 @@ static void take_path(void *user, long path)
 
 static void take_photon(void *user, const StoredPhoton *photon, float flown)
 {
-    Scattering *s = user;
+    PhotonSender *s = user;
     if (s->path_photons++ >= MOST_IN_PATH)
         return;
-    s->photons[s->photon_count] = (ScatterPhoton){*photon, flown};
+    s->photons[s->photon_count] = (RecordedPhoton){*photon, flown};
     if (++s->photon_count == BATCH)
         flush_photons(s);
 }
 
 static void take_leg(void *user, const Photon *photon, const Hit *hit)
 {
-    Scattering *s = user;
+    PhotonSender *s = user;
     if (hit && photon->bounce + 1 > s->bounces)
         s->bounces = photon->bounce + 1;
     if (s->path >= s->worker->order->request.recorded || s->path_legs++ >= MOST_IN_PATH)
         return;
     bool light = hit && hit->material->type == MATERIAL_LIGHT;
-    s->legs[s->leg_count] = (ScatterLeg){
+    s->legs[s->leg_count] = (PathLeg){
         .from = photon->position,
         .to = hit ? hit->position : vec3_along(photon->position, photon->direction, s->reach),
         .power = photon->power,
@@ -98,9 +98,9 @@ static void send_books(Worker *worker, WireKind kind, const PhotonPass *pass, in
     worker_send(kind, &books, sizeof books);
 }
 
-bool worker_scatter(Worker *worker, Error *error)
+bool worker_photons(Worker *worker, Error *error)
 {
-    static Scattering s;
+    static PhotonSender s;
     const RunRequest *request = &worker->order->request;
     int parts = worker->order->workers;
     s.worker = worker;
