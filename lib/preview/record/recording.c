@@ -23,7 +23,6 @@ void recording_free(Recording *recording)
 
 void lobe_samples_free(LobeSamples *samples)
 {
-    free(samples->directions);
-    free(samples->weights);
-    *samples = (LobeSamples){NULL, NULL, 0};
+    free(samples->items);
+    *samples = (LobeSamples){NULL, 0};
 }

@@ -52,10 +52,13 @@ typedef struct {
 double recording_farthest(const Recording *recording);
 void recording_free(Recording *recording);
 
-// Directions of a lobe, with the weight of each; a weight of 0 stands for one that was absorbed.
+// What a scatter step answered about one lobe; a weight of 0 stands for a photon that was absorbed.
 typedef struct {
-    Vec3 *directions;
-    float *weights;
+    Vec3 direction;
+    float weight;
+} LobeSample;
+typedef struct {
+    LobeSample *items;
     size_t count;
 } LobeSamples;
 void lobe_samples_free(LobeSamples *samples);

@@ -138,22 +138,12 @@ bool run_copy_partial(const Run *run, Recording *recording)
 
 LobeSamples run_take_lobe(Run *run)
 {
-    LobeSamples samples = {NULL, NULL, 0};
-    const Heap *heap = &run->parts[0].samples;
+    Heap *heap = &run->parts[0].samples;
+    LobeSamples samples = {NULL, 0};
     if (run->status.state != RUN_DONE || run->request.kind != RUN_LOBE)
         return samples;
-    size_t count = heap->size / sizeof(WireSample);
-    samples.directions = malloc((count + 1) * sizeof *samples.directions);
-    samples.weights = malloc((count + 1) * sizeof *samples.weights);
-    if (!samples.directions || !samples.weights) {
-        lobe_samples_free(&samples);
-        return samples;
-    }
-    for (; samples.count < count; samples.count++) {
-        WireSample sample;
-        memcpy(&sample, heap->bytes + samples.count * sizeof sample, sizeof sample);
-        samples.directions[samples.count] = sample.direction;
-        samples.weights[samples.count] = sample.weight;
-    }
+    samples.items = (LobeSample *)(void *)heap->bytes;
+    samples.count = heap->size / sizeof *samples.items;
+    *heap = (Heap){NULL, 0, 0};
     return samples;
 }

@@ -48,7 +48,7 @@ typedef struct {
 typedef enum {
     WIRE_PHOTONS, // RecordedPhoton…
     WIRE_LEGS,    // PathLeg…
-    WIRE_SAMPLES, // WireSample…
+    WIRE_SAMPLES, // LobeSample…
     WIRE_PICTURE, // WirePicture, and its pixels
     WIRE_BEGUN,   // WireDone, of which states and play are known; the first one
     WIRE_DONE,    // WireDone; the last one
@@ -60,11 +60,6 @@ typedef struct {
     uint32_t kind, bytes;
 } WireHead;
 #define WIRE_MOST_BYTES (1u << 30)
-
-typedef struct {
-    Vec3 direction;
-    float weight;
-} WireSample;
 
 typedef struct {
     int width, height;

@@ -132,10 +132,10 @@ bool worker_photons(Worker *worker, Error *error)
     return true;
 }
 
-static WireSample draw_sample(const RunRequest *request, Vec3 incoming, Vec3 normal, long i)
+static LobeSample draw_sample(const RunRequest *request, Vec3 incoming, Vec3 normal, long i)
 {
     Rng rng = rng_create(request->seed, (uint64_t)i);
-    WireSample sample = {{0.0f, 0.0f, 0.0f}, 1.0f};
+    LobeSample sample = {{0.0f, 0.0f, 0.0f}, 1.0f};
     if (request->diffuse)
         sample.direction = steps.scatter_diffuse(normal, &rng);
     else if (!steps.scatter_glossy(incoming, normal, request->exponent, &rng, &sample.direction, &sample.weight))
@@ -149,7 +149,7 @@ bool worker_lobe(Worker *worker, Error *error)
     const RunRequest *request = &worker->order->request;
     float angle = request->angle * PI / 180.0f;
     Vec3 normal = vec3(0.0f, 0.0f, 1.0f), incoming = vec3(sinf(angle), 0.0f, -cosf(angle));
-    WireSample batch[BATCH];
+    LobeSample batch[BATCH];
     size_t count = 0;
     for (long i = 0; i < request->samples; i++) {
         batch[count++] = draw_sample(request, incoming, normal, i);

@@ -130,8 +130,8 @@ static size_t usable(Side *side, StoredPhoton *photons)
     size_t count = 0;
     side->lobe_absorbed = side->lobe_below = side->lobe_long = 0;
     for (size_t i = 0; i < side->lobe.count; i++) {
-        Vec3 d = side->lobe.directions[i];
-        float length = vec3_length(d), weight = side->lobe.weights[i];
+        Vec3 d = side->lobe.items[i].direction;
+        float length = vec3_length(d), weight = side->lobe.items[i].weight;
         if (weight == 0.0f) {
             side->lobe_absorbed++;
             continue;

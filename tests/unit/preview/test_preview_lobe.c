@@ -73,11 +73,11 @@ static Vec3 sample(const View *view, StepFault fault, Rng *rng, float *weight)
 
 static LobeSamples samples_of(const View *view, StepFault fault)
 {
-    LobeSamples samples = {calloc(SAMPLES, sizeof(Vec3)), calloc(SAMPLES, sizeof(float)), SAMPLES};
-    assert_true(samples.directions && samples.weights);
+    LobeSamples samples = {calloc(SAMPLES, sizeof(LobeSample)), SAMPLES};
+    assert_non_null(samples.items);
     for (size_t i = 0; i < SAMPLES; i++) {
         Rng rng = rng_create(11, i);
-        samples.directions[i] = sample(view, fault, &rng, &samples.weights[i]);
+        samples.items[i].direction = sample(view, fault, &rng, &samples.items[i].weight);
     }
     return samples;
 }
@@ -166,9 +166,9 @@ static void nothing_and_no_number_are_left_out(void **state)
     size_t sound = 0;
     for (size_t i = 0; i < SAMPLES; i++) {
         if (i % 10 == 0)
-            side.lobe.directions[i] = i % 20 ? vec3(NAN, 0, 1) : vec3(0, 0, 0);
+            side.lobe.items[i].direction = i % 20 ? vec3(NAN, 0, 1) : vec3(0, 0, 0);
         else
-            sound += side.lobe.weights[i] > 0.0f;
+            sound += side.lobe.items[i].weight > 0.0f;
     }
     assert_true(lobe_prepare(&view, PLAY_DEFAULT, &lobe));
     lobe_cloud(&lobe, &side, &cloud);

@@ -88,12 +88,12 @@ static void lobe_is_the_step(void **state)
         float weight = 0.0f, angle = 60.0f * PI / 180.0f;
         Vec3 in = vec3(sinf(angle), 0.0f, -cosf(angle));
         bool up = steps.scatter_glossy(in, vec3(0.0f, 0.0f, 1.0f), 20.0f, &rng, &out, &weight);
-        assert_true(samples.weights[i] == (up ? weight : 0.0f));
+        assert_true(samples.items[i].weight == (up ? weight : 0.0f));
         if (up)
-            assert_memory_equal(&out, &samples.directions[i], sizeof out);
+            assert_memory_equal(&out, &samples.items[i].direction, sizeof out);
         absorbed += !up;
         if (up)
-            mean_add(&along, samples.directions[i].x);
+            mean_add(&along, samples.items[i].direction.x);
     }
     assert_true(absorbed > 10 && mean_value(&along) > 0.5); // the mirror direction is on the side of +x
     run_free(run);
