@@ -168,6 +168,15 @@ check-cli: all
 check-probe: all
 	@bash tests/probe.sh $(PROGRAM) $(BUILD)
 
+##   check-rooms       which folder includes which: as lib/README.md and tests/README.md say?
+.PHONY: check-rooms size
+check-rooms:
+	@bash tests/rooms_test.sh
+
+## size            lines of C and shell, room by room: make size [OF=COMMIT]
+size:
+	@sh tests/size.sh $(OF)
+
 ##   check-arm         the unit tests built for aarch64 and emulated, and one picture against this machine's to the byte (on
 ##                     Debian: gcc-aarch64-linux-gnu, qemu-user, and the libraries of `make setup` with :arm64)
 ARM = BUILD=$(BUILD)/arm CC=aarch64-linux-gnu-gcc PKG_CFLAGS= PKG_LIBS="-lpng -lcyaml -lyaml"
