@@ -9,12 +9,14 @@ typedef struct {
     char message[1024]; // "file:line: what is wrong; what was expected"
 } Error;
 
+#if defined(__GNUC__)
+#define PRINTF_LIKE(text, first) __attribute__((format(printf, text, first)))
+#else
+#define PRINTF_LIKE(text, first)
+#endif
+
 // Writes the message (printf style, cut at the buffer's end) unless one stands there already, so that the first cause
 // wins. Always returns false, so that `return error_set(…)` reads well. `error` may be NULL.
-bool error_set(Error *error, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+bool error_set(Error *error, const char *format, ...) PRINTF_LIKE(2, 3);
 
 #endif

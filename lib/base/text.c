@@ -1,6 +1,7 @@
 #include "base/text.h"
 #include "base/file.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -83,8 +84,7 @@ bool text_number(const char **at, const char *end, double *value)
     return true;
 }
 
-// Levenshtein 1966: the fewest letters inserted, removed or replaced that turn a into b.
-static size_t edit_distance(const char *a, const char *b)
+size_t text_distance(const char *a, const char *b)
 {
     size_t row[64], length = strlen(b);
     if (strlen(a) >= 64 || length >= 64)
@@ -95,7 +95,7 @@ static size_t edit_distance(const char *a, const char *b)
         size_t diagonal = row[0];
         row[0] = i + 1;
         for (size_t j = 0; j < length; j++) {
-            size_t replace = diagonal + (a[i] != b[j]);
+            size_t replace = diagonal + (tolower((unsigned char)a[i]) != tolower((unsigned char)b[j]));
             size_t shift = 1 + (row[j] < row[j + 1] ? row[j] : row[j + 1]);
             diagonal = row[j + 1];
             row[j + 1] = replace < shift ? replace : shift;
@@ -109,7 +109,7 @@ void text_suggest(char *message, size_t size, const char *word, TextNameAt name_
     const char *nearest = NULL, *name;
     size_t best = 3;
     for (size_t i = 0; (name = name_at(list, i)); i++) {
-        size_t distance = edit_distance(word, name);
+        size_t distance = text_distance(word, name);
         if (distance < best && distance < strlen(name)) {
             best = distance;
             nearest = name;

@@ -16,6 +16,10 @@ char *text_read_file(const char *path, size_t max, size_t *size, Error *error);
 // ones give infinity.
 bool text_number(const char **at, const char *end, double *value);
 
+// Levenshtein 1966: the fewest letters inserted, removed or replaced that turn a into b, capital or not. 64 where one of
+// them is that long.
+size_t text_distance(const char *a, const char *b);
+
 // Name number i of a list, NULL past the last.
 typedef const char *(*TextNameAt)(const void *list, size_t i);
 

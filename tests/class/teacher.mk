@@ -7,7 +7,7 @@ $(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack/*.c)) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ -larchive $(LDLIBS)
 
-$(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) tests/judge/report/text.c) $(LIBRARY)
+$(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) $(REPORT_WORDS)) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ -ljansson $(LDLIBS)
 

@@ -6,7 +6,6 @@
 #include "judge/grade/points.h"
 #include "report_json.h"
 #include "stages.h"
-#include "judge/grade/submission.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -92,7 +91,7 @@ static int grade(const Arguments *a, const PointsTable *points, StepResult *resu
         if (!is_wanted(a, &step_table[i]))
             continue;
         results[count] = (StepResult){.step = &step_table[i], .status = STATUS_SKIP};
-        snprintf(results[count].message, sizeof results[count].message, "grading did not get this far");
+        snprintf(results[count].words.message, sizeof results[count].words.message, "grading did not get this far");
         points_give(points, &results[count++]);
     }
     return count;

@@ -1,8 +1,9 @@
 # The judge and what students and teachers do with it; included by the Makefile.
 
 JUDGE         = $(BUILD)/judge
-JUDGE_SOURCES := $(filter-out %/test_sandbox.c,$(wildcard tests/judge/*.c) $(call find_c,$(addprefix tests/judge/,checks grade sandbox scatter) tests/steps)) \
-                 tests/judge/report/text.c
+REPORT_WORDS  = tests/judge/report/text.c tests/judge/report/status.c
+JUDGE_SOURCES := $(filter-out %/test_sandbox.c,$(wildcard tests/judge/*.c) $(call find_c,$(addprefix tests/judge/,checks grade sandbox scatter submission) tests/steps)) \
+                 $(REPORT_WORDS)
 JUDGE_LIBS    = $(or $(if $(PKG),$(shell pkg-config --libs gsl jansson libseccomp 2>/dev/null)),-lgsl -lgslcblas -ljansson -lseccomp)
 
 $(JUDGE): $(call object,$(JUDGE_SOURCES)) $(LIBRARY)
@@ -43,7 +44,7 @@ $(WRITE_REPORTS): $(call object,$(REPORT_SOURCES)) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ -ljansson $(LDLIBS)
 
-$(BUILD)/tests/print_sample: $(call object,tests/judge/report/test/print_sample.c tests/judge/print.c tests/judge/report/text.c) $(LIBRARY)
+$(BUILD)/tests/print_sample: $(call object,tests/judge/report/test/print_sample.c tests/judge/print.c $(REPORT_WORDS)) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)/..' -o $@ $(LDLIBS)
 

@@ -11,7 +11,6 @@
 #define MOST_LINES 20  // of what a step printed
 #define WIDEST     100 // columns: longer lines are hard to read
 
-static const char *const marks[] = {"✓", "✗", "!", "○", "–"};
 static const char *const colours[] = {"\033[32m", "\033[31m", "\033[33m", "\033[90m", "\033[90m"};
 
 typedef struct {
@@ -125,7 +124,7 @@ static void print_title(const Terminal *terminal, const StepResult *result)
                columns_of(result->step->title, strlen(result->step->title)) + (int)strlen(right);
     int gap = (terminal->width < 70 ? terminal->width : 70) - used;
     paint(terminal, colours[result->status]);
-    printf("  %s ", marks[result->status]);
+    printf("  %s ", status_table[result->status].mark);
     paint(terminal, "\033[0m");
     printf("%s %s%*s%s\n", result->step->id, result->step->title, gap > 2 ? gap : 2, "", right);
 }
@@ -134,7 +133,7 @@ static void print_check(const Terminal *terminal, const CheckResult *check)
 {
     char line[2048];
     const Finding *finding = &check->finding;
-    int used = snprintf(line, sizeof line, "%s %s", marks[check->status], check->check->title);
+    int used = snprintf(line, sizeof line, "%s %s", status_table[check->status].mark, check->check->title);
     if (check->check->kind == CHECK_PICTURE && finding->T_threshold > 0.0)
         snprintf(line + used, sizeof line - (size_t)used, ": T %.2f of %.2f, V %.2f of %.2f", finding->T,
                  finding->T_threshold, finding->V, finding->V_threshold);
@@ -155,11 +154,11 @@ static bool nothing_ran(const StepResult *result)
 // The compiler's lines (warnings often say what is wrong), then what the code printed.
 static void print_output(const Terminal *terminal, const StepResult *result)
 {
-    char compiled[sizeof result->output];
-    snprintf(compiled, sizeof compiled, "%.*s", (int)result->compiled, result->output);
+    char compiled[sizeof result->words.output];
+    snprintf(compiled, sizeof compiled, "%.*s", (int)result->words.compiled, result->words.output);
     if (*compiled)
         print_lines(compiled, true);
-    const char *printed = result->output + strlen(compiled);
+    const char *printed = result->words.output + strlen(compiled);
     if (*printed) {
         if (!nothing_ran(result))
             print_dim(terminal, "", "printed:");
@@ -170,9 +169,9 @@ static void print_output(const Terminal *terminal, const StepResult *result)
 static void print_details(const Terminal *terminal, const StepResult *result)
 {
     char line[1024];
-    print_wrapped(terminal, *result->message ? result->message : "no reason is known");
-    if (*result->where)
-        print_dim(terminal, "in ", result->where);
+    print_wrapped(terminal, *result->words.message ? result->words.message : "no reason is known");
+    if (*result->words.where)
+        print_dim(terminal, "in ", result->words.where);
     if (*result->looks_like) {
         snprintf(line, sizeof line, "looks like: %s", result->looks_like);
         paint(terminal, "\033[1m");
@@ -193,10 +192,10 @@ static void print_step(const Terminal *terminal, const StepResult *result, bool 
     print_title(terminal, result);
     if (result->status != STATUS_PASS && result->status != STATUS_TODO)
         print_details(terminal, result);
-    else if (result->status == STATUS_TODO && *result->message)
-        print_wrapped(terminal, result->message);
-    else if (verbose && result->status == STATUS_PASS && *result->output)
-        print_lines(result->output, false);
+    else if (result->status == STATUS_TODO && *result->words.message)
+        print_wrapped(terminal, result->words.message);
+    else if (verbose && result->status == STATUS_PASS && *result->words.output)
+        print_lines(result->words.output, false);
     for (int i = 0; verbose && result->status != STATUS_TODO && i < result->check_count; i++)
         print_check(terminal, &result->checks[i]);
 }
@@ -221,7 +220,7 @@ static void print_scatter(const Terminal *terminal, const StageResult *stages, i
     if (!stage || stage->stage == 0 || stage->status == STATUS_TODO)
         return;
     paint(terminal, colours[stage->status]);
-    printf("  %s ", marks[stage->status]);
+    printf("  %s ", status_table[stage->status].mark);
     paint(terminal, "\033[0m");
     printf("scatter of stage %d, by your %s\n", stage->stage, stage->steps);
     if (stage->status != STATUS_PASS) {

@@ -74,9 +74,10 @@ static json_t *check_json(const char *directory, const char *id, const CheckResu
     bool has_p = f->tests > 0 && result->check->kind != CHECK_PICTURE && result->status != STATUS_SKIP;
     return json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:I, s:o, s:o}", "name", result->check->name, "title",
                      result->check->title, "kind", check_kind_names[result->check->kind], "status",
-                     status_names[result->status], "message", text(message), "p", has_p ? number(f->p) : json_null(),
-                     "threshold", has_p ? number(result->threshold) : json_null(), "failing_case",
-                     (json_int_t)f->failing_case, "histogram", histogram(f), "picture", picture(directory, id, f));
+                     status_table[result->status].name, "message", text(message), "p",
+                     has_p ? number(f->p) : json_null(), "threshold", has_p ? number(result->threshold) : json_null(),
+                     "failing_case", (json_int_t)f->failing_case, "histogram", histogram(f), "picture",
+                     picture(directory, id, f));
 }
 
 static json_t *step_json(const char *directory, const StepResult *r)
@@ -86,18 +87,10 @@ static json_t *step_json(const char *directory, const StepResult *r)
         json_array_append_new(checks, check_json(directory, r->step->id, &r->checks[i]));
     return json_pack("{s:s, s:s, s:s, s:i, s:s, s:s, s:o, s:o, s:b, s:s, s:o, s:o, s:s, s:s, s:o, s:o, s:o}", "id",
                      r->step->id, "symbol", r->step->symbol, "title", r->step->title, "stage", r->step->stage,
-                     "chapter", r->step->chapter, "status", status_names[r->status], "points", number(r->points),
+                     "chapter", r->step->chapter, "status", status_table[r->status].name, "points", number(r->points),
                      "points_max", number(r->points_max), "hidden", r->hidden, "due", r->due, "message",
-                     text(r->message), "where", text(r->where), "mistake", r->mistake, "looks_like", r->looks_like,
-                     "output", text(r->output), "seconds", number(r->seconds), "checks", checks);
-}
-
-static int count_status(const StepResult *results, int count, Status status)
-{
-    int found = 0;
-    for (int i = 0; i < count; i++)
-        found += results[i].status == status;
-    return found;
+                     text(r->words.message), "where", text(r->words.where), "mistake", r->mistake, "looks_like",
+                     r->looks_like, "output", text(r->words.output), "seconds", number(r->seconds), "checks", checks);
 }
 
 // A stage that could not be asked about, or has no step to play, has no line.
@@ -111,8 +104,8 @@ static json_t *scatters_json(const StageResult *stages)
             continue;
         json_array_append_new(array,
                               json_pack("{s:i, s:s, s:o, s:s, s:o, s:o, s:s, s:o, s:o}", "stage", s->stage, "status",
-                                        status_names[s->status], "message", text(s->message), "steps", s->steps, "p",
-                                        judged ? number(s->p) : json_null(), "threshold",
+                                        status_table[s->status].name, "message", text(s->message), "steps", s->steps,
+                                        "p", judged ? number(s->p) : json_null(), "threshold",
                                         judged ? number(s->threshold) : json_null(), "picture", s->picture,
                                         "picture_message", text(s->picture_message), "seconds", number(s->seconds)));
     }
@@ -123,19 +116,23 @@ static json_t *report_json(const char *directory, const ReportHead *head, const 
                            const StageResult *stages)
 {
     double points = 0.0, points_max = 0.0;
+    int of[STATUSES] = {0};
     json_t *steps_array = json_array();
     for (int i = 0; i < count; i++) {
         points += results[i].points;
         points_max += results[i].points_max;
+        of[results[i].status]++;
         json_array_append_new(steps_array, step_json(directory, &results[i]));
     }
-    return json_pack("{s:s, s:o, s:b, s:s, s:o, s:o, s:o, s:i, s:i, s:i, s:i, s:o, s:o}", "format",
-                     "photonlab report 2", "submission", text(head->submission), "credit", head->credit, "sandbox",
-                     head->sandbox, "seconds", number(head->seconds), "points", number(points), "points_max",
-                     number(points_max), "passed", count_status(results, count, STATUS_PASS), "failed",
-                     count_status(results, count, STATUS_FAIL), "errors", count_status(results, count, STATUS_ERROR),
-                     "not_started", count_status(results, count, STATUS_TODO), "steps", steps_array, "scatters",
-                     scatters_json(stages));
+    json_t *report = json_pack("{s:s, s:o, s:b, s:s, s:o, s:o, s:o}", "format", "photonlab report 2", "submission",
+                               text(head->submission), "credit", head->credit, "sandbox", head->sandbox, "seconds",
+                               number(head->seconds), "points", number(points), "points_max", number(points_max));
+    for (int i = 0; i < STATUSES; i++)
+        if (status_table[i].count)
+            json_object_set_new(report, status_table[i].count, json_integer(of[i]));
+    json_object_set_new(report, "steps", steps_array);
+    json_object_set_new(report, "scatters", scatters_json(stages));
+    return report;
 }
 
 static bool make_directory(const char *path, Error *error)

@@ -32,7 +32,7 @@ int stages_measure(const Arguments *a, StepResult *results, int count)
             grade_scatter(&options, i + 1, results, count, &stage);
 #pragma omp critical(measured)
             if (stage.status != STATUS_TODO)
-                printf("%d %s %.3g %.3g %s\n", i + 1, status_names[stage.status], stage.p, stage.threshold,
+                printf("%d %s %.3g %.3g %s\n", i + 1, status_table[stage.status].name, stage.p, stage.threshold,
                        stage.message);
             stage_result_free(&stage);
         }

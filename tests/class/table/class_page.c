@@ -25,10 +25,9 @@ static const char style[] =
 
 static const char *mark_of(const char *status)
 {
-    static const char *const marks[][2] = {{"pass", "✓"}, {"fail", "✗"}, {"error", "!"}, {"todo", "○"}, {"skip", "–"}};
-    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
-        if (strcmp(status, marks[i][0]) == 0)
-            return marks[i][1];
+    for (size_t i = 0; i < STATUSES; i++)
+        if (strcmp(status, status_table[i].name) == 0)
+            return status_table[i].mark;
     return "";
 }
 

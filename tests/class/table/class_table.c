@@ -93,9 +93,8 @@ static void write_row(FILE *stream, const Csv *roster, const TableRow *row)
         write_points(stream, s->stage_points[i]);
     for (size_t i = 0; i < STEP_COUNT; i++)
         write_points(stream, s->steps[i].points);
-    static const char *const statuses[] = {"pass", "fail", "error", "todo", "skip"};
-    for (size_t i = 0; i < sizeof statuses / sizeof *statuses; i++)
-        fprintf(stream, ",%zu", student_count(s, statuses[i]));
+    for (size_t i = 0; i < STATUSES; i++)
+        fprintf(stream, ",%zu", student_count(s, status_table[i].name));
     student_mistakes(s, mistakes, sizeof mistakes);
     csv_write_text(stream, mistakes, false);
     csv_write_text(stream, s->message, false);

@@ -3,6 +3,7 @@
 #define PHOTONLAB_CLASS_TABLE_H
 
 #include "base/error.h"
+#include "judge/report/status.h"
 #include "steps/steps.h"
 
 #include <stdbool.h>

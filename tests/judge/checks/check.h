@@ -70,12 +70,6 @@ typedef struct {
     double T, T_threshold, V, V_threshold;
 } Finding;
 
-#if defined(__GNUC__)
-#define PRINTF_LIKE(text, first) __attribute__((format(printf, text, first)))
-#else
-#define PRINTF_LIKE(text, first)
-#endif
-
 // The first failure's message stays. `failing_case`: −1 when it is no single one's fault.
 void finding_fail(Finding *finding, long failing_case, const char *format, ...) PRINTF_LIKE(3, 4);
 // The message of the smallest p-value stays.

@@ -223,7 +223,7 @@ static void describe_signal(const GradeOptions *options, const SandboxResult *ra
 }
 
 void crash_describe(const GradeOptions *options, const SandboxResult *ran, const char *object, const char *symbol,
-                    StepResult *result)
+                    StepWords *told)
 {
     LastWords words;
     Place places[MOST_PLACES];
@@ -236,13 +236,13 @@ void crash_describe(const GradeOptions *options, const SandboxResult *ran, const
     }
     int count = find_places(options, &words, object, places);
     if (ran->flooded)
-        snprintf(result->message, sizeof result->message, "it printed more than %u MB", SANDBOX_MOST_PRINTED >> 20);
+        words_say(told, STATUS_ERROR, "it printed more than %u MB", SANDBOX_MOST_PRINTED >> 20);
     else if (ran->exit_code >= 0)
-        describe_exit(ran, result->message, sizeof result->message);
+        describe_exit(ran, told->message, sizeof told->message);
     else
-        describe_signal(options, ran, &words, places, count, result->message, sizeof result->message);
+        describe_signal(options, ran, &words, places, count, told->message, sizeof told->message);
     if (count > 0 && !words.stack_overflow)
-        snprintf(result->where, sizeof result->where, "%s, line %d", places[0].function, places[0].line);
+        snprintf(told->where, sizeof told->where, "%s, line %d", places[0].function, places[0].line);
     else
-        snprintf(result->where, sizeof result->where, "%s", count > 0 ? places[0].function : symbol);
+        snprintf(told->where, sizeof told->where, "%s", count > 0 ? places[0].function : symbol);
 }

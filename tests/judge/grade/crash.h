@@ -2,11 +2,11 @@
 #ifndef PHOTONLAB_JUDGE_CRASH_H
 #define PHOTONLAB_JUDGE_CRASH_H
 
-#include "judge/grade/grade.h"
+#include "judge/submission/submission.h"
 
-// Fills in result->message, where and output for a run that did not get through. `object` NULL: several steps ran, and
+// Fills in message and where for a run that did not get through. `object` NULL: several steps ran, and
 // the probe says in which of them it was.
 void crash_describe(const GradeOptions *options, const SandboxResult *ran, const char *object, const char *symbol,
-                    StepResult *result);
+                    StepWords *words);
 
 #endif

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const status_names[] = {"pass", "fail", "error", "todo", "skip"};
-
 #define STEP_LEVEL 1e-3 // chance that a right step fails its statistical checks in the first round
 
 const StepChecks *checks_of(const char *id)
@@ -168,8 +166,7 @@ static Status confirm(const GradeOptions *options, const StepChecks *checks, Ste
         exit(3);
     again->step = result->step;
     again->check_count = result->check_count;
-    again->compiled = result->compiled;
-    memcpy(again->output, result->output, result->compiled);
+    again->words = result->words;
     Status status = run_checks(options, checks, false, 1, again);
     if (status == STATUS_PASS)
         status = run_checks(options, checks, true, 1, again);
@@ -179,9 +176,7 @@ static Status confirm(const GradeOptions *options, const StepChecks *checks, Ste
             first->status = STATUS_PASS;
     }
     if (status != STATUS_PASS) {
-        memcpy(result->message, again->message, sizeof result->message);
-        memcpy(result->where, again->where, sizeof result->where);
-        memcpy(result->output, again->output, sizeof result->output);
+        result->words = again->words;
     }
     step_result_free(again);
     free(again);
@@ -197,7 +192,7 @@ static void sum_up(StepResult *result)
             continue;
         result->status = STATUS_FAIL;
         const Finding *finding = &check->finding;
-        snprintf(result->message, sizeof result->message, "%s",
+        snprintf(result->words.message, sizeof result->words.message, "%s",
                  finding->failed ? finding->message : finding->p_message);
     }
 }
@@ -212,7 +207,7 @@ static void write_failing(const GradeOptions *options, const StepResult *result)
     if (!stream)
         return; // only a convenience
     if (result->failing_cases && (result->status == STATUS_FAIL || result->status == STATUS_ERROR))
-        fprintf(stream, "%s %ld %s\n", result->failing_cases, result->failing_case, status_names[result->status]);
+        fprintf(stream, "%s %ld %s\n", result->failing_cases, result->failing_case, status_table[result->status].name);
     fclose(stream);
 }
 
@@ -224,7 +219,7 @@ void grade_step(const GradeOptions *options, const StepInfo *step, StepResult *r
     result->check_count = *checks->count;
     for (int i = 0; i < *checks->count; i++)
         result->checks[i] = (CheckResult){.check = &checks->checks[i], .status = STATUS_SKIP, .finding = {.p = 1.0}};
-    result->status = *checks->count > 0 ? compile_step(options, step, result) : STATUS_SKIP;
+    result->status = *checks->count > 0 ? compile_step(options, step, &result->words) : STATUS_SKIP;
     result->playable = result->status == STATUS_PASS;
     if (options->compile_only)
         return;
@@ -234,7 +229,7 @@ void grade_step(const GradeOptions *options, const StepInfo *step, StepResult *r
         result->status = run_checks(options, checks, true, 0, result);
     if (result->status == STATUS_ERROR && fails_for_certain(result)) {
         result->status = STATUS_PASS; // a wrong value tells more than the crash that it led to
-        result->where[0] = '\0';
+        result->words.where[0] = '\0';
     }
     if (result->status == STATUS_PASS && !options->first_round_only && needs_confirmation(result))
         result->status = confirm(options, checks, result);

@@ -66,13 +66,14 @@ Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, 
     Status status = probe_job_run(options, job, step->id, lines, count, numbers, ran);
     *storage = ran->storage;
     if (*ran->message)
-        snprintf(result->message, sizeof result->message, "%s", ran->message);
+        snprintf(result->words.message, sizeof result->words.message, "%s", ran->message);
     if (status != STATUS_SKIP) {
         *crashed_case = (long)ran->whole;
-        copy_printed(ran->sandbox.text, result->output + result->compiled, sizeof result->output - result->compiled);
+        copy_printed(ran->sandbox.text, result->words.output + result->words.compiled,
+                     sizeof result->words.output - result->words.compiled);
     }
     if (status == STATUS_ERROR && !ran->forged)
-        crash_describe(options, &ran->sandbox, object, step->symbol, result);
+        crash_describe(options, &ran->sandbox, object, step->symbol, &result->words);
     free(job);
     free(ran);
     return status;

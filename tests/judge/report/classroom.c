@@ -6,20 +6,20 @@
 #include <string.h>
 
 // Classroom knows three statuses.
-static const char *status_of(ReportStatus status)
+static const char *status_of(Status status)
 {
-    if (status == REPORT_PASS)
+    if (status == STATUS_PASS)
         return "pass";
-    return status == REPORT_ERROR ? "error" : "fail";
+    return status == STATUS_ERROR ? "error" : "fail";
 }
 
 static json_t *test_of(const Report *report, const ReportStep *step)
 {
     char name[8200];
     snprintf(name, sizeof name, "%s %s", step->id, step->title);
-    const char *message = *step->message ? step->message : report_status_words[step->status];
+    const char *message = *step->message ? step->message : status_table[step->status].words;
     return json_pack("{s:s, s:s, s:f, s:s}", "name", name, "status", status_of(step->status), "score",
-                     report->credit ? step->points : 0.0, "message", step->status == REPORT_PASS ? "" : message);
+                     report->credit ? step->points : 0.0, "message", step->status == STATUS_PASS ? "" : message);
 }
 
 static json_t *compose(const Report *report)
@@ -34,9 +34,9 @@ static json_t *compose(const Report *report)
                                                seen.hidden_points < seen.hidden_points_max ? "fail" : "pass", "score",
                                                report->credit ? seen.hidden_points : 0.0, "message", ""));
     const char *status = "pass";
-    if (!report->credit || all.of[REPORT_ERROR] > 0)
+    if (!report->credit || all.of[STATUS_ERROR] > 0)
         status = "error";
-    else if (all.of[REPORT_PASS] < all.steps)
+    else if (all.of[STATUS_PASS] < all.steps)
         status = "fail";
     return json_pack("{s:i, s:s, s:f, s:o}", "version", 1, "status", status, "max_score", all.points_max, "tests",
                      tests);

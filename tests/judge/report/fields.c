@@ -83,14 +83,14 @@ double field_number_or_null(Fields *fields, const char *name)
     return (double)NAN;
 }
 
-ReportStatus field_status(Fields *fields, const char *name)
+Status field_status(Fields *fields, const char *name)
 {
     const json_t *value = take(fields, name);
-    for (int i = 0; json_is_string(value) && i < REPORT_STATUSES; i++)
-        if (strcmp(json_string_value(value), report_status_names[i]) == 0)
-            return (ReportStatus)i;
+    for (int i = 0; json_is_string(value) && i < STATUSES; i++)
+        if (strcmp(json_string_value(value), status_table[i].name) == 0)
+            return (Status)i;
     unexpected(fields, name, "pass, fail, error, todo or skip", value);
-    return REPORT_SKIP;
+    return STATUS_SKIP;
 }
 
 const json_t *field_array(Fields *fields, const char *name, size_t most, size_t *count)

@@ -24,7 +24,7 @@ const char *field_text(Fields *fields, const char *name, size_t most); // cleane
 bool field_truth(Fields *fields, const char *name);
 double field_number(Fields *fields, const char *name, double least, double largest);
 double field_number_or_null(Fields *fields, const char *name); // null: NaN
-ReportStatus field_status(Fields *fields, const char *name);
+Status field_status(Fields *fields, const char *name);
 // Its elements by json_array_get; *count of them, at most `most`.
 const json_t *field_array(Fields *fields, const char *name, size_t most, size_t *count);
 // Numbers, null for NaN.

@@ -23,10 +23,10 @@ static json_t *test_of(const Report *report, const ReportStep *step)
     char *words = words_of_step(step, MOST_OUTPUT);
     json_t *test = json_pack("{s:f, s:f, s:s, s:s, s:s, s:s, s:s, s:[s], s:s, s:{s:s, s:s, s:f}}", "score",
                              report->credit ? step->points : 0.0, "max_score", step->points_max,      //
-                             "status", step->status == REPORT_PASS ? "passed" : "failed",             //
+                             "status", step->status == STATUS_PASS ? "passed" : "failed",             //
                              "name", name, "number", step->id, "output", words ? words : "",          //
                              "output_format", "text", "tags", tag, "visibility", visibility_of(step), //
-                             "extra_data", "status", report_status_names[step->status], "mistake", step->mistake,
+                             "extra_data", "status", status_table[step->status].name, "mistake", step->mistake,
                              "seconds", step->seconds);
     free(words);
     return test;
@@ -41,9 +41,9 @@ static json_t *scatter_of(const ReportScatter *scatter)
     words_of_scatter(scatter, words, sizeof words);
     return json_pack("{s:f, s:f, s:s, s:s, s:s, s:s, s:s, s:[s], s:s, s:{s:s, s:s, s:f}}", "score", 0.0, "max_score",
                      0.0,                                                                                        //
-                     "status", scatter->status == REPORT_PASS ? "passed" : "failed", "name", name, "number", "", //
+                     "status", scatter->status == STATUS_PASS ? "passed" : "failed", "name", name, "number", "", //
                      "output", words, "output_format", "text", "tags", tag, "visibility", "visible", "extra_data",
-                     "status", report_status_names[scatter->status], "mistake", "", "seconds", scatter->seconds);
+                     "status", status_table[scatter->status].name, "mistake", "", "seconds", scatter->seconds);
 }
 
 bool report_gradescope(const Report *report, FILE *stream, Error *error)
@@ -52,7 +52,7 @@ bool report_gradescope(const Report *report, FILE *stream, Error *error)
     char summary[400];
     snprintf(summary, sizeof summary, "%s%zu passed, %zu failed, %zu with an error, %zu not started%s",
              report->credit ? "" : "NOT FOR CREDIT: the code ran without a sandbox, so every score is 0.\n",
-             sums.of[REPORT_PASS], sums.of[REPORT_FAIL], sums.of[REPORT_ERROR], sums.of[REPORT_TODO],
+             sums.of[STATUS_PASS], sums.of[STATUS_FAIL], sums.of[STATUS_ERROR], sums.of[STATUS_TODO],
              sums.hidden ? "; hidden steps are graded, too" : "");
     json_t *tests = json_array();
     for (size_t i = 0; i < report->step_count; i++)

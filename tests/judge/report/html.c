@@ -23,9 +23,9 @@ static void write_strip(const Report *report, FILE *stream)
         if (stage != 0 && stage != step->stage)
             fputs("<span class=\"gap\"></span>", stream);
         stage = step->stage;
-        fprintf(stream, "<a class=\"%s\" href=\"#step-%s\" title=\"", report_status_names[step->status], step->id);
+        fprintf(stream, "<a class=\"%s\" href=\"#step-%s\" title=\"", status_table[step->status].name, step->id);
         text_markup(stream, step->title);
-        fprintf(stream, ": %s\"><i>%s</i>%s</a>", report_status_words[step->status], report_status_marks[step->status],
+        fprintf(stream, ": %s\"><i>%s</i>%s</a>", status_table[step->status].words, status_table[step->status].mark,
                 step->id);
     }
     fputs("</nav>\n", stream);
@@ -34,10 +34,10 @@ static void write_strip(const Report *report, FILE *stream)
 static void write_counts(const ReportSums *sums, FILE *stream)
 {
     fputs("<p class=\"counts\">", stream);
-    for (int i = 0; i < REPORT_STATUSES; i++)
-        if (sums->of[i] > 0 || i <= REPORT_FAIL)
-            fprintf(stream, "<span class=\"%s\"><i>%s</i> %zu %s</span> ", report_status_names[i],
-                    report_status_marks[i], sums->of[i], report_status_words[i]);
+    for (int i = 0; i < STATUSES; i++)
+        if (sums->of[i] > 0 || i <= STATUS_FAIL)
+            fprintf(stream, "<span class=\"%s\"><i>%s</i> %zu %s</span> ", status_table[i].name, status_table[i].mark,
+                    sums->of[i], status_table[i].words);
     fputs("</p>\n", stream);
 }
 
@@ -49,9 +49,9 @@ static const ReportStep *next_step(const Report *report)
         const ReportStep *step = &report->steps[i];
         if (!report_shows(report, step))
             continue;
-        if (step->status == REPORT_FAIL || step->status == REPORT_ERROR)
+        if (status_is_wrong(step->status))
             return step;
-        if (step->status == REPORT_TODO && !open)
+        if (step->status == STATUS_TODO && !open)
             open = step;
     }
     return open;
@@ -60,8 +60,8 @@ static const ReportStep *next_step(const Report *report)
 // All steps are right alone, and what they make together is not.
 static const ReportScatter *next_scatter(const Report *report, const ReportStep *step)
 {
-    for (size_t i = 0; i < report->scatter_count && !(step && report_is_wrong(step->status)); i++)
-        if (report_is_wrong(report->scatters[i].status))
+    for (size_t i = 0; i < report->scatter_count && !(step && status_is_wrong(step->status)); i++)
+        if (status_is_wrong(report->scatters[i].status))
             return &report->scatters[i];
     return NULL;
 }
@@ -72,15 +72,15 @@ static void write_next(const Report *report, const ReportSums *sums, FILE *strea
     const ReportScatter *scatter = next_scatter(report, step);
     if (scatter) {
         fprintf(stream, "<p class=\"next %s\"><b>Next:</b> <a href=\"#scatter-%d\">the scatter of stage %d</a></p>\n",
-                report_status_names[scatter->status], scatter->stage, scatter->stage);
+                status_table[scatter->status].name, scatter->stage, scatter->stage);
         return;
     }
     if (!step) {
-        if (sums->of[REPORT_PASS] > 0 && sums->of[REPORT_PASS] == sums->steps)
+        if (sums->of[STATUS_PASS] > 0 && sums->of[STATUS_PASS] == sums->steps)
             fputs("<p class=\"next pass\"><b>All done.</b> Every step passes.</p>\n", stream);
         return;
     }
-    fprintf(stream, "<p class=\"next %s\"><b>Next:</b> <a href=\"#step-%s\">%s ", report_status_names[step->status],
+    fprintf(stream, "<p class=\"next %s\"><b>Next:</b> <a href=\"#step-%s\">%s ", status_table[step->status].name,
             step->id, step->id);
     text_markup(stream, step->title);
     fputs("</a>", stream);

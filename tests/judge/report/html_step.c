@@ -34,7 +34,7 @@ static void write_summary(const Report *report, const ReportStep *step, FILE *st
 {
     char points[40], most[40];
     fprintf(stream, "<summary><i class=\"mark\">%s</i><span class=\"id\">%s</span><span class=\"title\">",
-            report_status_marks[step->status], step->id);
+            status_table[step->status].mark, step->id);
     text_markup(stream, step->title);
     fputs(" <code>", stream);
     text_markup(stream, step->symbol);
@@ -58,7 +58,7 @@ static void write_where_to_go(const Report *report, const ReportStep *step, FILE
         text_markup(stream, step->where);
         fputs("</code></span> ", stream);
     }
-    if (step->status != REPORT_PASS)
+    if (step->status != STATUS_PASS)
         fprintf(stream, "<span>hint: <code>make hint STEP=%s</code></span> ", step->id);
     fputs("<span>chapter: ", stream);
     write_chapter(report, step->chapter, stream);
@@ -69,14 +69,14 @@ static void write_check(const Report *report, const ReportStep *step, const Repo
 {
     char words[400];
     words_of_check(check, words, sizeof words);
-    fprintf(stream, "<li class=\"%s\"><i class=\"mark\">%s</i><div><b>", report_status_names[check->status],
-            report_status_marks[check->status]);
+    fprintf(stream, "<li class=\"%s\"><i class=\"mark\">%s</i><div><b>", status_table[check->status].name,
+            status_table[check->status].mark);
     text_markup(stream, check->title);
     fputs("</b>", stream);
-    if (check->status != REPORT_PASS && *check->message && strcmp(check->message, step->message) != 0)
+    if (check->status != STATUS_PASS && *check->message && strcmp(check->message, step->message) != 0)
         write_paragraph("found", "", check->message, stream);
-    if (check->status == REPORT_SKIP)
-        write_paragraph("statistic", "", report_status_words[REPORT_SKIP], stream);
+    if (check->status == STATUS_SKIP)
+        write_paragraph("statistic", "", status_table[STATUS_SKIP].words, stream);
     write_paragraph("statistic", "", words, stream);
     if (check->histogram.title)
         html_histogram(&check->histogram, stream);
@@ -91,7 +91,7 @@ static void write_output(const ReportStep *step, FILE *stream)
         return;
     bool short_enough = strlen(step->output) < 1500;
     fprintf(stream, "<details class=\"output\"%s><summary>What was printed</summary><pre>",
-            short_enough && step->status != REPORT_PASS ? " open=\"open\"" : "");
+            short_enough && step->status != STATUS_PASS ? " open=\"open\"" : "");
     fputc('\n', stream); // the first line end in a <pre> does not count
     text_markup(stream, step->output);
     fputs("</pre></details>\n", stream);
@@ -100,7 +100,7 @@ static void write_output(const ReportStep *step, FILE *stream)
 static bool any_checked(const ReportStep *step)
 {
     for (size_t i = 0; i < step->check_count; i++)
-        if (step->checks[i].status != REPORT_SKIP && step->checks[i].status != REPORT_TODO)
+        if (step->checks[i].status != STATUS_SKIP && step->checks[i].status != STATUS_TODO)
             return true;
     return false;
 }
@@ -109,11 +109,11 @@ void html_scatter(const Report *report, const ReportScatter *scatter, FILE *stre
 {
     char words[5000];
     fprintf(stream, "<article class=\"step scatter %s\" id=\"scatter-%d\"><details open=\"open\">\n",
-            report_status_names[scatter->status], scatter->stage);
+            status_table[scatter->status].name, scatter->stage);
     fprintf(stream,
             "<summary><i class=\"mark\">%s</i><span class=\"title\">The scatter of your photons</span>"
             "<span class=\"points\">stage %d</span></summary>\n<div class=\"body\">\n",
-            report_status_marks[scatter->status], scatter->stage);
+            status_table[scatter->status].mark, scatter->stage);
     words_of_scatter(scatter, words, sizeof words);
     char *rest = NULL;
     for (char *line = strtok_r(words, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest))
@@ -128,15 +128,15 @@ void html_scatter(const Report *report, const ReportScatter *scatter, FILE *stre
 
 void html_step(const Report *report, const ReportStep *step, FILE *stream)
 {
-    bool open = step->status == REPORT_FAIL || step->status == REPORT_ERROR;
-    fprintf(stream, "<article class=\"step %s\" id=\"step-%s\"><details%s>\n", report_status_names[step->status],
+    bool open = status_is_wrong(step->status);
+    fprintf(stream, "<article class=\"step %s\" id=\"step-%s\"><details%s>\n", status_table[step->status].name,
             step->id, open ? " open=\"open\"" : "");
     write_summary(report, step, stream);
     fputs("<div class=\"body\">\n", stream);
-    if (step->status == REPORT_TODO)
+    if (step->status == STATUS_TODO)
         write_paragraph("message", "", "Not started. The reference plays in its place.", stream);
-    else if (step->status != REPORT_PASS)
-        write_paragraph("message", "", *step->message ? step->message : report_status_words[step->status], stream);
+    else if (step->status != STATUS_PASS)
+        write_paragraph("message", "", *step->message ? step->message : status_table[step->status].words, stream);
     write_paragraph("like", "<b>Looks like:</b> ", step->looks_like, stream);
     write_where_to_go(report, step, stream);
     // When nothing could be checked, the compiler's words say why.

@@ -31,7 +31,7 @@ static ReportSums sums_of_stage(const Report *report, int stage)
 static void write_counts(const ReportSums *sums, FILE *stream)
 {
     fprintf(stream, " tests=\"%zu\" failures=\"%zu\" errors=\"%zu\" skipped=\"%zu\" time=\"%.3f\">\n", sums->steps,
-            sums->of[REPORT_FAIL], sums->of[REPORT_ERROR], sums->of[REPORT_TODO] + sums->of[REPORT_SKIP],
+            sums->of[STATUS_FAIL], sums->of[STATUS_ERROR], sums->of[STATUS_TODO] + sums->of[STATUS_SKIP],
             sums->seconds);
 }
 
@@ -42,14 +42,14 @@ static void write_result(const ReportStep *step, FILE *stream)
     if (!element)
         return;
     fprintf(stream, "      <%s message=\"", element);
-    text_markup(stream, *step->message ? step->message : report_status_words[step->status]);
+    text_markup(stream, *step->message ? step->message : status_table[step->status].words);
     fputc('"', stream);
     if (strcmp(element, "skipped") == 0) {
         fputs("/>\n", stream);
         return;
     }
     fputs(" type=\"", stream);
-    text_markup(stream, *step->mistake ? step->mistake : report_status_names[step->status]);
+    text_markup(stream, *step->mistake ? step->mistake : status_table[step->status].name);
     fputs("\">", stream);
     char *words = words_of_step(step, 0);
     text_markup(stream, words ? words : "");
@@ -78,15 +78,15 @@ static void write_scatter(const ReportScatter *scatter, FILE *stream)
     char words[5000];
     fprintf(stream, "    <testcase classname=\"photonlab.stage_%d\" name=\"scatter of stage %d\" time=\"%.3f\">\n",
             scatter->stage, scatter->stage, scatter->seconds);
-    if (scatter->status == REPORT_FAIL || scatter->status == REPORT_ERROR) {
-        const char *element = scatter->status == REPORT_FAIL ? "failure" : "error";
+    if (status_is_wrong(scatter->status)) {
+        const char *element = scatter->status == STATUS_FAIL ? "failure" : "error";
         fprintf(stream, "      <%s message=\"", element);
         text_markup(stream, scatter->message);
         fprintf(stream, "\" type=\"scatter\">");
         words_of_scatter(scatter, words, sizeof words);
         text_markup(stream, words);
         fprintf(stream, "</%s>\n", element);
-    } else if (scatter->status != REPORT_PASS) {
+    } else if (scatter->status != STATUS_PASS) {
         fputs("      <skipped message=\"", stream);
         text_markup(stream, scatter->message);
         fputs("\"/>\n", stream);

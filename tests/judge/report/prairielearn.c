@@ -19,8 +19,8 @@ static void add_hidden(json_t *tests, const ReportSums *sums)
 static json_t *test_of(const ReportStep *step, size_t most_output)
 {
     char name[8200];
-    snprintf(name, sizeof name, "%s %s %s", report_status_marks[step->status], step->id, step->title);
-    const char *message = *step->message ? step->message : report_status_words[step->status];
+    snprintf(name, sizeof name, "%s %s %s", status_table[step->status].mark, step->id, step->title);
+    const char *message = *step->message ? step->message : status_table[step->status].words;
     char *words = words_of_step(step, most_output);
     json_t *test =
         json_pack("{s:s, s:s, s:f, s:f, s:s, s:s}", "name", name, "description", step->symbol, "points", step->points,
@@ -32,10 +32,10 @@ static json_t *test_of(const ReportStep *step, size_t most_output)
 static json_t *scatter_of(const ReportScatter *scatter)
 {
     char name[80], words[5000];
-    snprintf(name, sizeof name, "%s Scatter of stage %d", report_status_marks[scatter->status], scatter->stage);
+    snprintf(name, sizeof name, "%s Scatter of stage %d", status_table[scatter->status].mark, scatter->stage);
     words_of_scatter(scatter, words, sizeof words);
     return json_pack("{s:s, s:s, s:f, s:f, s:s, s:s}", "name", name, "description", "", "points", 0.0, "max_points",
-                     0.0, "message", *scatter->message ? scatter->message : report_status_words[scatter->status],
+                     0.0, "message", *scatter->message ? scatter->message : status_table[scatter->status].words,
                      "output", words);
 }
 
@@ -54,8 +54,8 @@ static char *compose(const Report *report, size_t most_output)
     double score = all.points_max > 0.0 ? all.points / all.points_max : 0.0;
     char message[300];
     snprintf(message, sizeof message, "%s%zu passed, %zu failed, %zu with an error, %zu not started",
-             report->credit ? "" : "Not gradable: the code ran without a sandbox. ", seen.of[REPORT_PASS],
-             seen.of[REPORT_FAIL], seen.of[REPORT_ERROR], seen.of[REPORT_TODO]);
+             report->credit ? "" : "Not gradable: the code ran without a sandbox. ", seen.of[STATUS_PASS],
+             seen.of[STATUS_FAIL], seen.of[STATUS_ERROR], seen.of[STATUS_TODO]);
     json_t *whole = json_pack("{s:b, s:f, s:s, s:s, s:o}", "gradable", report->credit, "score",
                               score > 1.0 ? 1.0 : score, "message", message, "output", "", "tests", tests);
     char *text = whole ? json_dumps(whole, JSON_INDENT(1) | JSON_REAL_PRECISION(10)) : NULL;

@@ -16,11 +16,6 @@
 #define MOST_BINS   1000
 #define MOST_POINTS 1e9
 
-const char *const report_status_names[REPORT_STATUSES] = {"pass", "fail", "error", "todo", "skip"};
-const char *const report_status_marks[REPORT_STATUSES] = {"✓", "✗", "!", "○", "–"};
-const char *const report_status_words[REPORT_STATUSES] = {"passed", "failed", "with an error", "not started",
-                                                          "not checked"};
-
 typedef struct Kept {
     struct Kept *next;
     double bytes[]; // aligned for all that is kept
@@ -195,14 +190,13 @@ static void read_steps(Fields *fields)
 }
 
 // The judge counted, too: a disagreement means that one of us is wrong, and points are at stake.
-static void check_sums(Fields *fields, const double counts[REPORT_STATUSES])
+static void check_sums(Fields *fields, const double counts[STATUSES])
 {
-    static const char *const names[] = {"passed", "failed", "errors", "not_started"};
     ReportSums sums = report_sums(fields->report, true);
-    for (int i = 0; i < REPORT_SKIP; i++)
-        if (counts[i] != (double)sums.of[i])
-            error_set(fields->error, "report.json: %s is %g, but %zu steps have the status %s", names[i], counts[i],
-                      sums.of[i], report_status_names[i]);
+    for (int i = 0; i < STATUSES; i++)
+        if (status_table[i].count && counts[i] != (double)sums.of[i])
+            error_set(fields->error, "report.json: %s is %g, but %zu steps have the status %s", status_table[i].count,
+                      counts[i], sums.of[i], status_table[i].name);
     if (fabs(fields->report->points - sums.points) > 0.005)
         error_set(fields->error, "report.json: points is %g, but the steps' points add up to %g",
                   fields->report->points, sums.points);
@@ -223,9 +217,9 @@ static void read_whole(Fields *fields)
     report->seconds = field_number(fields, "seconds", 0, 1e9);
     report->points = field_number(fields, "points", 0, MOST_POINTS);
     report->points_max = field_number(fields, "points_max", 0, MOST_POINTS);
-    double counts[REPORT_STATUSES] = {
-        field_number(fields, "passed", 0, MOST_STEPS), field_number(fields, "failed", 0, MOST_STEPS),
-        field_number(fields, "errors", 0, MOST_STEPS), field_number(fields, "not_started", 0, MOST_STEPS), 0};
+    double counts[STATUSES];
+    for (int i = 0; i < STATUSES; i++)
+        counts[i] = !status_table[i].count ? 0.0 : field_number(fields, status_table[i].count, 0, MOST_STEPS);
     read_steps(fields);
     read_scatters(fields);
     if (fields_end(fields))

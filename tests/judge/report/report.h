@@ -13,16 +13,12 @@
 #define PHOTONLAB_JUDGE_REPORT_H
 
 #include "base/error.h"
-#include "text.h"
+#include "judge/report/status.h"
+#include "judge/report/text.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
-
-typedef enum { REPORT_PASS, REPORT_FAIL, REPORT_ERROR, REPORT_TODO, REPORT_SKIP, REPORT_STATUSES } ReportStatus;
-extern const char *const report_status_names[REPORT_STATUSES]; // as in report.json
-extern const char *const report_status_marks[REPORT_STATUSES]; // "✓" …
-extern const char *const report_status_words[REPORT_STATUSES]; // "passed" …
 
 // Numbers that report.json gives as null are NaN here.
 typedef struct {
@@ -40,7 +36,7 @@ typedef struct {
 
 typedef struct {
     const char *name, *title, *kind, *message;
-    ReportStatus status;
+    Status status;
     double p, threshold;
     double failing_case; // within the check; −1: none in particular
     ReportHistogram histogram;
@@ -51,7 +47,7 @@ typedef struct {
     const char *id, *symbol, *title, *chapter, *message, *where, *mistake, *looks_like, *output;
     const char *due; // "2026-12-01"; empty: none
     int stage;
-    ReportStatus status;
+    Status status;
     bool hidden;
     double points, points_max, seconds;
     const ReportCheck *checks;
@@ -61,7 +57,7 @@ typedef struct {
 // All of a stage's steps at work together. There is one for each stage in which steps played, and no other.
 typedef struct {
     int stage;
-    ReportStatus status;
+    Status status;
     const char *message, *steps;           // "2.1 2.4": who played
     const char *picture, *picture_message; // a PNG, path below the report's directory; empty: none, and why not
     double p, threshold, seconds;
@@ -89,14 +85,13 @@ void *report_keep(Report *report, size_t size); // zeroed memory that report_fre
 
 // What one reader may see: the sums leave hidden steps out, unless they are the teacher's.
 typedef struct {
-    size_t of[REPORT_STATUSES], hidden, steps;
+    size_t of[STATUSES], hidden, steps;
     double points, points_max, hidden_points, hidden_points_max, seconds;
 } ReportSums;
 ReportSums report_sums(const Report *report, bool teacher);
 bool report_shows(const Report *report, const ReportStep *step);
 
 const ReportScatter *report_scatter(const Report *report, int stage); // NULL: there is none
-bool report_is_wrong(ReportStatus status);                            // fails, or did not get through
 
 // A writer of one file. False with an error when there is no memory; a full disk shows when the file is closed.
 typedef bool ReportWriter(const Report *report, FILE *stream, Error *error);
@@ -106,8 +101,8 @@ ReportWriter report_html, report_junit, report_tap, report_gradescope, report_pr
 
 // A check's statistic against its threshold, as a sentence; empty when there is none.
 void words_of_check(const ReportCheck *check, char *words, size_t size);
-// A step as plain text of several lines, with at most `most_output` bytes of what it printed; the caller frees it.
 void words_of_scatter(const ReportScatter *scatter, char *words, size_t size); // of several lines
+// A step as plain text of several lines, with at most `most_output` bytes of what it printed; the caller frees it.
 char *words_of_step(const ReportStep *step, size_t most_output);
 
 // ---- inside the HTML writer

@@ -33,7 +33,7 @@ static void write_checks(const ReportStep *step, FILE *stream)
         const ReportCheck *check = &step->checks[i];
         fputs("    - title: ", stream);
         text_quoted(stream, check->title);
-        fprintf(stream, "\n      status: %s\n", report_status_names[check->status]);
+        fprintf(stream, "\n      status: %s\n", status_table[check->status].name);
     }
 }
 
@@ -59,8 +59,8 @@ static void write_details(const ReportStep *step, FILE *stream)
 
 static void write_scatter(const ReportScatter *scatter, size_t number, FILE *stream)
 {
-    bool skipped = scatter->status == REPORT_SKIP || scatter->status == REPORT_TODO;
-    fprintf(stream, "%s %zu - scatter of stage %d", report_is_wrong(scatter->status) ? "not ok" : "ok", number,
+    bool skipped = scatter->status == STATUS_SKIP || scatter->status == STATUS_TODO;
+    fprintf(stream, "%s %zu - scatter of stage %d", status_is_wrong(scatter->status) ? "not ok" : "ok", number,
             scatter->stage);
     if (skipped) {
         fputs(" # SKIP ", stream);
@@ -68,7 +68,7 @@ static void write_scatter(const ReportScatter *scatter, size_t number, FILE *str
     }
     fputs("\n  ---\n", stream);
     write_field(stream, "message", scatter->message);
-    fprintf(stream, "  severity: %s\n  seconds: %.3f\n", report_status_names[scatter->status], scatter->seconds);
+    fprintf(stream, "  severity: %s\n  seconds: %.3f\n", status_table[scatter->status].name, scatter->seconds);
     write_field(stream, "steps", scatter->steps);
     fputs("  ...\n", stream);
 }
@@ -86,14 +86,14 @@ bool report_tap(const Report *report, FILE *stream, Error *error)
         const ReportStep *step = &report->steps[i];
         if (!report_shows(report, step))
             continue;
-        bool wrong = step->status != REPORT_PASS && step->status != REPORT_SKIP;
+        bool wrong = step->status != STATUS_PASS && step->status != STATUS_SKIP;
         fprintf(stream, "%s %zu - ", wrong ? "not ok" : "ok", ++number);
         write_plain(stream, step->id);
         fputc(' ', stream);
         write_plain(stream, step->title);
-        if (step->status == REPORT_TODO || step->status == REPORT_SKIP) {
-            fputs(step->status == REPORT_TODO ? " # TODO " : " # SKIP ", stream);
-            write_plain(stream, *step->message ? step->message : report_status_words[step->status]);
+        if (step->status == STATUS_TODO || step->status == STATUS_SKIP) {
+            fputs(step->status == STATUS_TODO ? " # TODO " : " # SKIP ", stream);
+            write_plain(stream, *step->message ? step->message : status_table[step->status].words);
         }
         fputc('\n', stream);
         write_details(step, stream);

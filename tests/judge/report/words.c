@@ -13,11 +13,6 @@ const ReportScatter *report_scatter(const Report *report, int stage)
     return NULL;
 }
 
-bool report_is_wrong(ReportStatus status)
-{
-    return status == REPORT_FAIL || status == REPORT_ERROR;
-}
-
 bool report_shows(const Report *report, const ReportStep *step)
 {
     return report->teacher || !step->hidden;
@@ -86,7 +81,7 @@ static void words_of_chance(double p, double threshold, char *words, size_t size
 void words_of_check(const ReportCheck *check, char *words, size_t size)
 {
     words[0] = '\0';
-    bool judged = check->status == REPORT_PASS || check->status == REPORT_FAIL;
+    bool judged = check->status == STATUS_PASS || check->status == STATUS_FAIL;
     if (judged && check->picture.yours)
         words_of_picture(&check->picture, words, size);
     else if (judged && !isnan(check->p) && !isnan(check->threshold))
@@ -110,8 +105,8 @@ static void checks_as_text(const ReportStep *step, FILE *stream)
         const ReportCheck *check = &step->checks[i];
         char words[400];
         words_of_check(check, words, sizeof words);
-        fprintf(stream, "  %s %s%s%s\n", report_status_marks[check->status], check->title, *words ? ": " : "", words);
-        if (check->status != REPORT_PASS && *check->message && strcmp(check->message, step->message) != 0)
+        fprintf(stream, "  %s %s%s%s\n", status_table[check->status].mark, check->title, *words ? ": " : "", words);
+        if (check->status != STATUS_PASS && *check->message && strcmp(check->message, step->message) != 0)
             fprintf(stream, "      %s\n", check->message);
     }
 }
@@ -123,17 +118,17 @@ char *words_of_step(const ReportStep *step, size_t most_output)
     FILE *stream = open_memstream(&text, &size);
     if (!stream)
         return NULL;
-    if (*step->message || step->status != REPORT_PASS)
-        fprintf(stream, "%s\n", *step->message ? step->message : report_status_words[step->status]);
+    if (*step->message || step->status != STATUS_PASS)
+        fprintf(stream, "%s\n", *step->message ? step->message : status_table[step->status].words);
     if (*step->where)
         fprintf(stream, "where: %s\n", step->where);
     if (*step->looks_like)
         fprintf(stream, "looks like: %s\n", step->looks_like);
-    if (step->status != REPORT_PASS)
+    if (step->status != STATUS_PASS)
         fprintf(stream, "make hint STEP=%s · chapter %s\n", step->id, step->chapter);
-    if (step->status != REPORT_TODO)
+    if (step->status != STATUS_TODO)
         checks_as_text(step, stream);
-    if (*step->output && step->status != REPORT_TODO && most_output > 0) {
+    if (*step->output && step->status != STATUS_TODO && most_output > 0) {
         char *cut = text_clean(step->output, strlen(step->output), most_output);
         fprintf(stream, "printed:\n%s\n", cut ? cut : "");
         free(cut);

@@ -13,11 +13,7 @@ typedef struct {
     bool out_of_memory;
 } Words;
 
-void words_add(Words *words, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+void words_add(Words *words, const char *format, ...) PRINTF_LIKE(2, 3);
 void words_free(Words *words);
 
 // Everything that the child needs between fork and exec, where nothing may be allocated any more.

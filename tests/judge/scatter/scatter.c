@@ -93,7 +93,7 @@ static float *run(const Stage *s, bool reference, uint64_t seed, StageResult *re
     job.cpu_seconds = o->cpu_seconds / 3.0; // it takes a twentieth of a second
     Numbers numbers = {NULL, 0};
     ProbeRun *ran = calloc(1, sizeof *ran);
-    StepResult *words_for = calloc(1, sizeof *words_for);
+    StepWords *words_for = calloc(1, sizeof *words_for);
     if (!ran || !words_for)
         exit(3);
     result->status = probe_job_run(o, &job, "", lines, 1, &numbers, ran);

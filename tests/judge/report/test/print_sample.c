@@ -12,8 +12,8 @@ static void set(StepResult *result, Status status, const char *message, const ch
 {
     result->status = status;
     result->points = status == STATUS_PASS ? result->points_max : 0.0;
-    snprintf(result->message, sizeof result->message, "%s", message);
-    snprintf(result->output, sizeof result->output, "%s", output);
+    snprintf(result->words.message, sizeof result->words.message, "%s", message);
+    snprintf(result->words.output, sizeof result->words.output, "%s", output);
     for (int i = 0; i < result->check_count; i++)
         result->checks[i].status = status;
 }
@@ -44,7 +44,7 @@ int main(int count, char **words)
     set(&results[8], STATUS_FAIL, "secret words", "");
     results[8].hidden = true;
     set(&results[10], STATUS_ERROR, "crashed: segmentation fault", "\033]0;owned\007 \033[2J bytes \xff\xc0 end");
-    snprintf(results[10].where, sizeof results[10].where, "refract, line 9");
+    snprintf(results[10].words.where, sizeof results[10].words.where, "refract, line 9");
     set(&results[13], STATUS_TODO, "not started", "");
     set(&results[14], STATUS_SKIP, "no debugger", "");
     StageResult stages[STAGE_COUNT] = {

@@ -1,4 +1,4 @@
-#include "judge/grade/object_file.h"
+#include "judge/submission/object_file.h"
 #include "base/file.h"
 
 #include <elf.h>

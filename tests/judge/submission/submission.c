@@ -1,9 +1,11 @@
-#include "judge/grade/submission.h"
+// What a look at a submission's files tells, before anything is compiled.
+#include "judge/submission/submission.h"
 #include "base/file.h"
 
 #include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,6 +52,15 @@ static void look_into(const char *code, const char *folder)
     closedir(directory);
 }
 
+Status words_say(StepWords *words, Status status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(words->message, sizeof words->message, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
 bool submission_look_over(const char *code, Error *error)
 {
     DIR *directory = opendir(code);
@@ -85,7 +96,7 @@ static int line_of_todo(const char *text)
     return found ? line : 0;
 }
 
-void submission_note_todo(const GradeOptions *options, const StepInfo *step, const char *source, StepResult *result)
+void submission_note_todo(const GradeOptions *options, const StepInfo *step, const char *source, StepWords *words)
 {
     char path[4200];
     size_t size;
@@ -95,10 +106,11 @@ void submission_note_todo(const GradeOptions *options, const StepInfo *step, con
     char *text = file_read(source, 1u << 20, &size, &ignored);
     int line = text ? line_of_todo(text) : 0;
     if (stub && text && line > 0 && !same_words(stub, text))
-        snprintf(result->message, sizeof result->message,
-                 "there is code of yours, but line %d still calls todo(), which says that it is not started: take that "
-                 "line away",
-                 line);
+        words_say(
+            words, STATUS_TODO,
+            "there is code of yours, but line %d still calls todo(), which says that it is not started: take that "
+            "line away",
+            line);
     free(stub);
     free(text);
 }

@@ -1,6 +1,8 @@
-#include "judge/grade/object_check.h"
+// What a step's object tells before any of its code runs.
+#include "judge/submission/object_file.h"
+#include "judge/submission/submission.h"
 #include "base/file.h"
-#include "judge/grade/object_file.h"
+#include "base/text.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -102,9 +104,9 @@ static int find_line(const char *source, const char *name)
     return 0;
 }
 
-static void say_where(const StepInfo *step, int line, StepResult *result)
+static void say_where(const StepInfo *step, int line, StepWords *words)
 {
-    snprintf(result->where, sizeof result->where, line > 0 ? "%s, line %d" : "%s", step->symbol, line);
+    snprintf(words->where, sizeof words->where, line > 0 ? "%s, line %d" : "%s", step->symbol, line);
 }
 
 static bool names(const ObjectFile *object, SymbolKind kind, const char *name)
@@ -115,18 +117,17 @@ static bool names(const ObjectFile *object, SymbolKind kind, const char *name)
     return false;
 }
 
-static bool check_forbidden(const ObjectFile *object, const StepInfo *step, const char *source, StepResult *result)
+static Status check_forbidden(const ObjectFile *object, const StepInfo *step, const char *source, StepWords *words)
 {
     for (size_t i = 0; i < sizeof forbidden / sizeof *forbidden; i++) {
         if (!names(object, SYMBOL_WANTED, forbidden[i].name))
             continue;
         const char *blank = strstr(forbidden[i].words, "%s");
-        snprintf(result->message, sizeof result->message, "%.*s%s%s", (int)(blank - forbidden[i].words),
-                 forbidden[i].words, forbidden[i].name, blank + 2);
-        say_where(step, find_line(source, forbidden[i].name), result);
-        return false;
+        say_where(step, find_line(source, forbidden[i].name), words);
+        return words_say(words, STATUS_ERROR, "%.*s%s%s", (int)(blank - forbidden[i].words), forbidden[i].words,
+                         forbidden[i].name, blank + 2);
     }
-    return true;
+    return STATUS_PASS;
 }
 
 // gcc calls a function's own variable `count.0`, clang `reflect.count`; the student `count`.
@@ -142,7 +143,7 @@ static void own_name(const char *symbol, char *name, size_t size)
 }
 
 // Compilers order their symbols differently: the one that comes first in the source is named.
-static bool check_variables(const ObjectFile *object, const StepInfo *step, const char *source, StepResult *result)
+static Status check_variables(const ObjectFile *object, const StepInfo *step, const char *source, StepWords *words)
 {
     char best[128] = "";
     int best_line = 0;
@@ -159,93 +160,65 @@ static bool check_variables(const ObjectFile *object, const StepInfo *step, cons
         }
     }
     if (!best[0] && !object->keeps_data)
-        return true;
-    snprintf(
-        result->message, sizeof result->message,
+        return STATUS_PASS;
+    say_where(step, best_line, words);
+    return words_say(
+        words, STATUS_ERROR,
         "it has a variable that lives between calls%s%s%s; steps run on several threads, which would share it. If it "
         "never changes, write `const` before it; otherwise move it into the function",
         best[0] ? ", `" : "", best, best[0] ? "`" : "");
-    say_where(step, best_line, result);
-    return false;
 }
 
-// Letters to change, add or leave out, to make one of the other.
-static int distance(const char *a, const char *b)
-{
-    int row[130];
-    int width = (int)strlen(b);
-    for (int j = 0; j <= width; j++)
-        row[j] = j;
-    for (int i = 0; a[i]; i++) {
-        int corner = row[0];
-        row[0] = i + 1;
-        for (int j = 1; j <= width; j++) {
-            int change = corner + (tolower((unsigned char)a[i]) != tolower((unsigned char)b[j - 1]));
-            corner = row[j];
-            int shift = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
-            row[j] = change < shift ? change : shift;
-        }
-    }
-    return row[width];
-}
-
-static bool check_function(const ObjectFile *object, const StepInfo *step, StepResult *result)
+static Status check_function(const ObjectFile *object, const StepInfo *step, StepWords *words)
 {
     if (names(object, SYMBOL_FUNCTION, step->symbol))
-        return true;
+        return STATUS_PASS;
+    if (names(object, SYMBOL_PRIVATE, step->symbol))
+        return words_say(words, STATUS_ERROR, "`%s` is static, so nobody can call it: take that word away",
+                         step->symbol);
     const char *near = NULL;
-    int nearest = 4;
+    size_t nearest = 4;
     for (size_t i = 0; i < object->count; i++) {
         const ObjectSymbol *symbol = &object->symbols[i];
         bool function = symbol->kind == SYMBOL_FUNCTION || symbol->kind == SYMBOL_PRIVATE;
-        if (function && distance(symbol->name, step->symbol) < nearest) {
-            nearest = distance(symbol->name, step->symbol);
+        if (function && text_distance(symbol->name, step->symbol) < nearest) {
+            nearest = text_distance(symbol->name, step->symbol);
             near = symbol->name;
         }
     }
-    int used = snprintf(result->message, sizeof result->message, "there is no function `%s` in it", step->symbol);
-    if (names(object, SYMBOL_PRIVATE, step->symbol))
-        snprintf(result->message, sizeof result->message, "`%s` is static, so nobody can call it: take that word away",
-                 step->symbol);
-    else if (near)
-        snprintf(result->message + used, sizeof result->message - (size_t)used, "; is `%s` meant?", near);
-    return false;
+    return words_say(words, STATUS_ERROR, "there is no function `%s` in it%s%s%s", step->symbol, near ? "; is `" : "",
+                     near ? near : "", near ? "` meant?" : "");
 }
 
 static Status check_all(const GradeOptions *options, const StepInfo *step, const ObjectFile *object, const char *source,
-                        StepResult *result)
+                        StepWords *words)
 {
     if (names(object, SYMBOL_WANTED, "photonlab_step_not_started"))
         return STATUS_TODO;
-    say_where(step, 0, result);
-    if (!check_function(object, step, result) || !check_forbidden(object, step, source, result))
-        return STATUS_ERROR;
+    say_where(step, 0, words);
+    Status status = check_function(object, step, words);
+    if (status == STATUS_PASS)
+        status = check_forbidden(object, step, source, words);
     // Sanitizers bring variables and constructors of their own.
-    if (strstr(options->flags, "-fsanitize"))
-        return STATUS_PASS;
-    if (object->runs_at_load) {
-        snprintf(result->message, sizeof result->message,
-                 "it has code that runs before anyone calls it (a constructor)");
-        return STATUS_ERROR;
-    }
-    if (!check_variables(object, step, source, result))
-        return STATUS_ERROR;
-    result->where[0] = '\0';
-    return STATUS_PASS;
+    if (status == STATUS_PASS && !strstr(options->flags, "-fsanitize"))
+        status = object->runs_at_load
+                     ? words_say(words, STATUS_ERROR, "it has code that runs before anyone calls it (a constructor)")
+                     : check_variables(object, step, source, words);
+    if (status == STATUS_PASS)
+        words->where[0] = '\0';
+    return status;
 }
 
 Status object_check(const GradeOptions *options, const StepInfo *step, const char *source, const char *object,
-                    StepResult *result)
+                    StepWords *words)
 {
     ObjectFile file;
     Error error = {""};
     size_t size;
-    if (!object_read(object, &file, &error)) {
-        snprintf(result->message, sizeof result->message, "%s", error.message);
-        return STATUS_ERROR;
-    }
+    if (!object_read(object, &file, &error))
+        return words_say(words, STATUS_ERROR, "%s", error.message);
     char *text = file_read(source, 1u << 20, &size, &error);
-    Status status = check_all(options, step, &file, text ? text : "", result);
+    Status status = check_all(options, step, &file, text ? text : "", words);
     free(text);
     object_free(&file);
     return status;

@@ -1,8 +1,6 @@
 // From a step's source to its shared object, in the sandbox.
 #include "base/file.h"
-#include "judge/grade/grade.h"
-#include "judge/grade/object_check.h"
-#include "judge/grade/submission.h"
+#include "judge/submission/submission.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -65,7 +63,7 @@ static bool run_tool(const GradeOptions *options, const Paths *p, const char *co
     return sandbox_run(options->sandbox, &run, ran, error);
 }
 
-static Status compile(const GradeOptions *options, const Paths *p, StepResult *result)
+static Status compile(const GradeOptions *options, const Paths *p, StepWords *told)
 {
     SandboxResult ran;
     char flags[2048], link_flags[2048], include[4200];
@@ -77,50 +75,40 @@ static Status compile(const GradeOptions *options, const Paths *p, StepResult *r
     int count = split_words(flags, words, 1);
     const char *const compile_words[] = {include, "-c", p->source, "-o", p->object, NULL};
     memcpy(words + count, compile_words, sizeof compile_words);
-    if (!run_tool(options, p, words, &ran, &error)) {
-        snprintf(result->message, sizeof result->message, "the compiler could not be run: %s", error.message);
-        return STATUS_SKIP;
-    }
-    shorten_paths(ran.text, p->code, options->code, result->output, sizeof result->output);
-    result->compiled = strlen(result->output);
-    if (ran.exit_code != 0) {
-        snprintf(result->message, sizeof result->message,
-                 ran.exit_code > 0 ? "it does not compile" : "the compiler did not come to an end");
-        return STATUS_ERROR;
-    }
+    if (!run_tool(options, p, words, &ran, &error))
+        return words_say(told, STATUS_SKIP, "the compiler could not be run: %s", error.message);
+    shorten_paths(ran.text, p->code, options->code, told->output, sizeof told->output);
+    told->compiled = strlen(told->output);
+    if (ran.exit_code != 0)
+        return words_say(told, STATUS_ERROR,
+                         ran.exit_code > 0 ? "it does not compile" : "the compiler did not come to an end");
     memset(words + 1, 0, sizeof words - sizeof *words);
     count = split_words(link_flags, words, 1);
     const char *const link_words[] = {p->object, "-o", p->shared, NULL};
     memcpy(words + count, link_words, sizeof link_words);
-    if (!run_tool(options, p, words, &ran, &error) || ran.exit_code != 0) {
-        snprintf(result->message, sizeof result->message, "it compiles, but cannot be linked");
-        snprintf(result->output, sizeof result->output, "%.16000s", ran.text);
-        return STATUS_ERROR;
-    }
-    return STATUS_PASS;
+    if (run_tool(options, p, words, &ran, &error) && ran.exit_code == 0)
+        return STATUS_PASS;
+    snprintf(told->output, sizeof told->output, "%.16000s", ran.text);
+    return words_say(told, STATUS_ERROR, "it compiles, but cannot be linked");
 }
 
 // A source must be a file of its own: a link could name anything on the machine.
-static Status find_source(const Paths *p, StepResult *result)
+static Status find_source(const Paths *p, StepWords *words)
 {
     struct stat state;
     if (lstat(p->source, &state) != 0 && errno == ENOENT)
         return STATUS_TODO;
-    if (!S_ISREG(state.st_mode) || state.st_size > (off_t)MOST_SOURCE) {
-        snprintf(result->message, sizeof result->message, "the source is no plain file of a sensible size");
-        return STATUS_ERROR;
-    }
+    if (!S_ISREG(state.st_mode) || state.st_size > (off_t)MOST_SOURCE)
+        return words_say(words, STATUS_ERROR, "the source is no plain file of a sensible size");
     return STATUS_PASS;
 }
 
-Status compile_step(const GradeOptions *options, const StepInfo *step, StepResult *result)
+Status compile_step(const GradeOptions *options, const StepInfo *step, StepWords *words)
 {
     Paths p;
     char absolute[4096];
-    if (!realpath(options->code, absolute)) {
-        snprintf(result->message, sizeof result->message, "no directory %s", options->code);
-        return STATUS_TODO;
-    }
+    if (!realpath(options->code, absolute))
+        return words_say(words, STATUS_TODO, "no directory %s", options->code);
     snprintf(p.code, sizeof p.code, "%s", absolute);
     snprintf(p.source, sizeof p.source, "%.3000s/%s.c", absolute, step->file);
     snprintf(p.include, sizeof p.include, "%s/lib", options->root);
@@ -129,12 +117,12 @@ Status compile_step(const GradeOptions *options, const StepInfo *step, StepResul
     snprintf(p.shared, sizeof p.shared, "%s/step.so", p.directory);
     unlink(p.object);
     unlink(p.shared);
-    Status status = find_source(&p, result);
+    Status status = find_source(&p, words);
     if (status == STATUS_PASS)
-        status = compile(options, &p, result);
+        status = compile(options, &p, words);
     if (status == STATUS_PASS)
-        status = object_check(options, step, p.source, p.object, result);
+        status = object_check(options, step, p.source, p.object, words);
     if (status == STATUS_TODO)
-        submission_note_todo(options, step, p.source, result);
+        submission_note_todo(options, step, p.source, words);
     return status;
 }

@@ -1,0 +1,20 @@
+// What became of a step, a check or a stage, and what that is called: on the terminal, in report.json and in what is made
+// of it.
+#ifndef PHOTONLAB_JUDGE_STATUS_H
+#define PHOTONLAB_JUDGE_STATUS_H
+
+#include <stdbool.h>
+
+typedef enum { STATUS_PASS, STATUS_FAIL, STATUS_ERROR, STATUS_TODO, STATUS_SKIP, STATUSES } Status;
+
+typedef struct {
+    const char *name; // "pass", in files
+    const char *mark; // "✓"
+    const char *words;
+    const char *count; // report.json's field that says how many steps there are of it; NULL: none does
+} StatusInfo;
+extern const StatusInfo status_table[STATUSES];
+
+bool status_is_wrong(Status status); // fails, or did not get through
+
+#endif
