@@ -138,8 +138,9 @@ static int parse(int count, char **arguments, Arguments *a)
         {"threads", FLAG_INT, &a->threads, 0, MOST_THREADS},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
     };
-    return command_line_parse(&(CommandLine){"bench", help, "one scene file at most", flags, FLAG_COUNT(flags), 0, 1},
-                              count, arguments, &a->scene);
+    return command_line_parse(
+        &(CommandLine){"photonlab bench", help, "one scene file at most", flags, FLAG_COUNT(flags), 0, 1}, count,
+        arguments, &a->scene);
 }
 
 int command_bench(int count, char **arguments)

@@ -3,12 +3,12 @@
 #ifndef PHOTONLAB_CLI_CLI_H
 #define PHOTONLAB_CLI_CLI_H
 
+#include "base/command_line.h"
 #include "photonlab.h"
 
 #include <stdbool.h>
 
 #define EXIT_INPUT 1
-#define EXIT_USAGE 2
 
 int command_render(int count, char **arguments);
 int command_photons(int count, char **arguments);
@@ -20,32 +20,6 @@ int command_probe(int count, char **arguments);
 
 // Prints the error to standard error and returns EXIT_INPUT.
 int report_error(const Error *error);
-// Prints "photonlab COMMAND: message" and how to get help; returns EXIT_USAGE.
-int report_usage(const char *command, const char *format, ...);
-
-// A flag and where its value goes. Numbers must lie in low…high.
-typedef enum { FLAG_PRESENT, FLAG_TEXT, FLAG_INT, FLAG_LONG, FLAG_FLOAT, FLAG_SEED } FlagKind; // bool, const char *, …
-typedef struct {
-    const char *name; // "photons" for --photons; "o" for -o
-    FlagKind kind;
-    void *value;
-    double low, high;
-} Flag;
-
-// What a subcommand takes: flags, and from `least` to `most` names of files, called `files` in messages.
-typedef struct {
-    const char *command, *help, *files;
-    const Flag *flags;
-    int flag_count, least, most;
-} CommandLine;
-
-#define FLAG_COUNT(flags) (int)(sizeof(flags) / sizeof *(flags))
-#define MOST_FLAGS        32
-
-// 0: all values are filled in, file[0 …] point to the files' names (those not given stay). Otherwise the message is
-// printed and this is the exit code, or HELP_SHOWN.
-int command_line_parse(const CommandLine *line, int count, char **arguments, const char **files);
-#define HELP_SHOWN (-1)
 
 #define MOST_PHOTONS 2000000000L
 #define MOST_K       1000000

@@ -1,12 +1,8 @@
 #include "cli/cli.h"
 #include "photons/pass/oddities.h"
 
-#include <errno.h>
-#include <getopt.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -14,107 +10,6 @@ int report_error(const Error *error)
 {
     fprintf(stderr, "%s\n", error->message[0] ? error->message : "failed for a reason that was not given");
     return EXIT_INPUT;
-}
-
-int report_usage(const char *command, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    fprintf(stderr, "photonlab %s: ", command);
-    vfprintf(stderr, format, arguments);
-    fprintf(stderr, "\nphotonlab %s --help lists the flags\n", command);
-    va_end(arguments);
-    return EXIT_USAGE;
-}
-
-static bool parse_whole(const Flag *flag, const char *text, long *value)
-{
-    char *end;
-    errno = 0;
-    *value = strtol(text, &end, 10);
-    return end != text && !*end && errno == 0 && (double)*value >= flag->low && (double)*value <= flag->high;
-}
-
-static bool parse_float(const Flag *flag, const char *text, float *value)
-{
-    char *end;
-    *value = strtof(text, &end);
-    return end != text && !*end && (double)*value >= flag->low && (double)*value <= flag->high; // NaN is neither
-}
-
-static bool parse_seed(const char *text, uint64_t *value)
-{
-    char *end;
-    errno = 0;
-    *value = strtoull(text, &end, 10);
-    return end != text && !*end && errno == 0 && !strchr(text, '-');
-}
-
-static bool take_flag(const Flag *flag, const char *text)
-{
-    long whole;
-    switch (flag->kind) {
-    case FLAG_PRESENT:
-        *(bool *)flag->value = true;
-        return true;
-    case FLAG_TEXT:
-        *(const char **)flag->value = text;
-        return true;
-    case FLAG_INT:
-        if (!parse_whole(flag, text, &whole))
-            return false;
-        *(int *)flag->value = (int)whole;
-        return true;
-    case FLAG_LONG:
-        return parse_whole(flag, text, flag->value);
-    case FLAG_FLOAT:
-        return parse_float(flag, text, flag->value);
-    case FLAG_SEED:
-        return parse_seed(text, flag->value);
-    }
-    return false;
-}
-
-static int refuse_flag(const char *command, const Flag *flag, const char *text)
-{
-    if (flag->kind == FLAG_SEED)
-        return report_usage(command, "--%s %s: expected a whole number from 0 to 18446744073709551615", flag->name,
-                            text);
-    return report_usage(command, "--%s %s: expected a %s from %.10g to %.10g", flag->name, text,
-                        flag->kind == FLAG_FLOAT ? "number" : "whole number", flag->low, flag->high);
-}
-
-int command_line_parse(const CommandLine *line, int count, char **arguments, const char **files)
-{
-    struct option options[MOST_FLAGS + 2] = {{"help", no_argument, NULL, 'h'}};
-    for (int i = 0; i < line->flag_count && i < MOST_FLAGS; i++) {
-        const Flag *flag = &line->flags[i];
-        options[i + 1] =
-            (struct option){flag->name, flag->kind == FLAG_PRESENT ? no_argument : required_argument, NULL, 256 + i};
-    }
-    optind = 1;
-    opterr = 0; // the messages are ours
-    for (int found; (found = getopt_long(count, arguments, "o:h", options, NULL)) != -1;) {
-        if (found == 'h') {
-            fputs(line->help, stdout);
-            return HELP_SHOWN;
-        }
-        if (found == '?')
-            return report_usage(line->command, "%s: no such flag, or its value is missing", arguments[optind - 1]);
-        int i = found - 256;
-        for (int j = 0; found == 'o' && j < line->flag_count; j++)
-            i = strcmp(line->flags[j].name, "o") == 0 ? j : i;
-        if (i < 0)
-            return report_usage(line->command, "writes no file; -o has no meaning here");
-        if (!take_flag(&line->flags[i], optarg))
-            return refuse_flag(line->command, &line->flags[i], optarg);
-    }
-    int given = count - optind;
-    if (given < line->least || given > line->most)
-        return report_usage(line->command, "expected %s, found %d", line->files, given);
-    for (int i = 0; i < given; i++)
-        files[i] = arguments[optind + i];
-    return 0;
 }
 
 static void draw_bar(void *user, const char *phase, double fraction)

@@ -38,15 +38,16 @@ static int parse(int count, char **arguments, Arguments *a)
         {"mask", FLAG_TEXT, &mask, 0, 0},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
     };
-    int wrong = command_line_parse(&(CommandLine){"diff", help, "two pictures", flags, FLAG_COUNT(flags), 2, 2}, count,
-                                   arguments, a->files);
+    int wrong =
+        command_line_parse(&(CommandLine){"photonlab diff", help, "two pictures", flags, FLAG_COUNT(flags), 2, 2},
+                           count, arguments, a->files);
     if (wrong)
         return wrong;
     if (mask && !parse_mask(mask, &a->mask))
-        return report_usage("diff", "--mask %s: expected four whole numbers X0,Y0,X1,Y1", mask);
+        return report_usage("photonlab diff", "--mask %s: expected four whole numbers X0,Y0,X1,Y1", mask);
     Error error = {""};
     if (a->out && !image_path_is_known(a->out, &error))
-        return report_usage("diff", "%s", error.message);
+        return report_usage("photonlab diff", "%s", error.message);
     return 0;
 }
 

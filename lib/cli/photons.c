@@ -43,15 +43,16 @@ static int parse(int count, char **arguments, Arguments *a)
         {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
     };
-    int wrong = command_line_parse(&(CommandLine){"photons", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
-                                   count, arguments, &a->scene);
+    int wrong =
+        command_line_parse(&(CommandLine){"photonlab photons", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
+                           count, arguments, &a->scene);
     if (wrong)
         return wrong;
     if (!a->out)
-        return report_usage("photons", "say where to write the photons: -o OUT.ply");
+        return report_usage("photonlab photons", "say where to write the photons: -o OUT.ply");
     Error error = {""};
     if (!photon_file_path_is_known(a->out, &error) || (a->steps && !step_choice_parse(a->steps, &a->play, &error)))
-        return report_usage("photons", "%s", error.message);
+        return report_usage("photonlab photons", "%s", error.message);
     return 0;
 }
 

@@ -86,7 +86,7 @@ static bool parse_names(Arguments *a)
     if (options->source && (!options->build || !options->code))
         error_set(&error, "--watch: needs --build and --code");
     if (error.message[0])
-        report_usage("preview", "%s", error.message);
+        report_usage("photonlab preview", "%s", error.message);
     return !error.message[0];
 }
 
@@ -131,8 +131,9 @@ static int parse(int count, char **arguments, Arguments *a)
         {"report", FLAG_TEXT, &o->report, 0, 0},
         {"orbit", FLAG_FLOAT, &o->orbit_seconds, 0, 3600},
     };
-    int wrong = command_line_parse(&(CommandLine){"preview", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
-                                   count, arguments, &a->scene);
+    int wrong =
+        command_line_parse(&(CommandLine){"photonlab preview", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
+                           count, arguments, &a->scene);
     return wrong ? wrong : parse_names(a) ? 0 : EXIT_USAGE;
 }
 
@@ -221,7 +222,7 @@ int command_preview(int count, char **arguments)
     a.options.depth = a.options.depth ? a.options.depth : scene->settings.depth;
     if (!set_view(&a, scene, &a.options.view, &error)) {
         scene_free(scene);
-        return report_usage("preview", "%s", error.message);
+        return report_usage("photonlab preview", "%s", error.message);
     }
     Broker *broker = a.photons_file ? NULL : broker_start(scene, a.options.source, &error);
     parallel_limit(0);

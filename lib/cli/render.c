@@ -45,7 +45,7 @@ static bool parse_integrator(const char *name, Integrator *integrator)
             *integrator = (Integrator)i;
             return true;
         }
-    report_usage("render", "--integrator %s: expected photons, photons-only or path", name);
+    report_usage("photonlab render", "--integrator %s: expected photons, photons-only or path", name);
     return false;
 }
 
@@ -55,7 +55,8 @@ static bool parse_size(const char *text, int *width, int *height)
     if (sscanf(text, "%dx%d%c", width, height, &after) == 2 && *width >= 1 && *width <= MOST_SIDE && *height >= 1 &&
         *height <= MOST_SIDE)
         return true;
-    report_usage("render", "--size %s: expected WIDTHxHEIGHT, each from 1 to %d, e.g. 512x512", text, MOST_SIDE);
+    report_usage("photonlab render", "--size %s: expected WIDTHxHEIGHT, each from 1 to %d, e.g. 512x512", text,
+                 MOST_SIDE);
     return false;
 }
 
@@ -83,19 +84,20 @@ static int parse(int count, char **arguments, Arguments *a)
         {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
     };
-    int wrong = command_line_parse(&(CommandLine){"render", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
-                                   count, arguments, &a->scene);
+    int wrong =
+        command_line_parse(&(CommandLine){"photonlab render", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
+                           count, arguments, &a->scene);
     if (wrong)
         return wrong;
     if (a->bits != 8 && a->bits != 16)
-        return report_usage("render", "--bits %d: expected 8 or 16", a->bits);
+        return report_usage("photonlab render", "--bits %d: expected 8 or 16", a->bits);
     if (!a->out)
-        return report_usage("render", "say where to write the picture: -o OUT.png");
+        return report_usage("photonlab render", "say where to write the picture: -o OUT.png");
     if (a->options.glass_sides == 1 && a->integrator && strcmp(a->integrator, "path") == 0)
-        return report_usage("render", "--glass-sides 1: the path tracer knows whole glass only");
+        return report_usage("photonlab render", "--glass-sides 1: the path tracer knows whole glass only");
     Error error = {""};
     if (!image_path_is_known(a->out, &error) || (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
-        return report_usage("render", "%s", error.message);
+        return report_usage("photonlab render", "%s", error.message);
     if ((a->integrator && !parse_integrator(a->integrator, &a->options.integrator)) ||
         (a->size && !parse_size(a->size, &a->settings.width, &a->settings.height)))
         return EXIT_USAGE;

@@ -25,7 +25,7 @@ static int refuse_id(const char *id)
     size_t length = 0;
     for (size_t i = 0; i < STEP_COUNT; i++)
         length += (size_t)snprintf(ids + length, sizeof ids - length, " %s", step_table[i].id);
-    return report_usage("steps", "--hint %s: no such step; there are%s", id, ids);
+    return report_usage("photonlab steps", "--hint %s: no such step; there are%s", id, ids);
 }
 
 int command_steps(int count, char **arguments)
@@ -36,12 +36,12 @@ int command_steps(int count, char **arguments)
         {"hint", FLAG_TEXT, &hint, 0, 0},
         {"level", FLAG_INT, &level, 1, HINT_COUNT},
     };
-    int wrong = command_line_parse(&(CommandLine){"steps", help, "no file", flags, FLAG_COUNT(flags), 0, 0}, count,
-                                   arguments, NULL);
+    int wrong = command_line_parse(&(CommandLine){"photonlab steps", help, "no file", flags, FLAG_COUNT(flags), 0, 0},
+                                   count, arguments, NULL);
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
     if (level && !hint)
-        return report_usage("steps", "--level %d: of which step? Add --hint ID", level);
+        return report_usage("photonlab steps", "--level %d: of which step? Add --hint ID", level);
     if (!hint) {
         print_table();
         return 0;

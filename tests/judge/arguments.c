@@ -1,7 +1,5 @@
 #include "arguments.h"
 
-#include <getopt.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 static const char help[] =
@@ -28,8 +26,8 @@ static const char help[] =
     "\n"
     "Exit: 0 nothing that was started fails; 1 something does; 2 wrong usage; 3 grading was not possible.\n";
 
-// A whole number above 0; −1, which is no stage, for anything else.
-static int whole(const char *text)
+// A stage's number; −1, which is no stage, for anything else.
+static int stage_number(const char *text)
 {
     char *end;
     long value = strtol(text, &end, 10);
@@ -38,7 +36,6 @@ static int whole(const char *text)
 
 int arguments_parse(int count, char **arguments, Arguments *a)
 {
-    static int sanitized, first_round;
     *a = (Arguments){.points = "tests/judge/points.txt",
                      .grade = {.code = "exercises",
                                .root = ".",
@@ -47,95 +44,41 @@ int arguments_parse(int count, char **arguments, Arguments *a)
                                .compiler = "cc",
                                .flags = "-std=c99 -O2 -fPIC",
                                .link_flags = "-shared",
-                               .salt = "photonlab",
-                               .cpu_seconds = 6.0,
-                               .memory_limit = true}};
+                               .salt = "photonlab"}};
     GradeOptions *g = &a->grade;
-    const struct option options[] = {{"code", required_argument, NULL, 'c'},
-                                     {"step", required_argument, NULL, 's'},
-                                     {"stage", required_argument, NULL, 'g'},
-                                     {"root", required_argument, NULL, 'r'},
-                                     {"build", required_argument, NULL, 'b'},
-                                     {"work", required_argument, NULL, 'w'},
-                                     {"report", required_argument, NULL, 'R'},
-                                     {"points", required_argument, NULL, 'p'},
-                                     {"compiler", required_argument, NULL, 'C'},
-                                     {"flags", required_argument, NULL, 'F'},
-                                     {"link", required_argument, NULL, 'L'},
-                                     {"jobs", required_argument, NULL, 'j'},
-                                     {"salt", required_argument, NULL, 'S'},
-                                     {"seconds", required_argument, NULL, 't'},
-                                     {"scatters", required_argument, NULL, 'n'},
-                                     {"credit", no_argument, &a->credit, 1},
-                                     {"strict", no_argument, &a->strict, 1},
-                                     {"sanitized", no_argument, &sanitized, 1},
-                                     {"first-round", no_argument, &first_round, 1},
-                                     {"features", no_argument, &a->features, 1},
-                                     {"verbose", no_argument, &a->verbose, 1},
-                                     {"help", no_argument, NULL, 'h'},
-                                     {NULL, 0, NULL, 0}};
-    for (int found; (found = getopt_long(count, arguments, "h", options, NULL)) != -1;) {
-        switch (found) {
-        case 0:
-            break;
-        case 'c':
-            g->code = optarg;
-            break;
-        case 's':
-            a->step = optarg;
-            break;
-        case 'g':
-            a->stage = whole(optarg);
-            break;
-        case 'r':
-            g->root = optarg;
-            break;
-        case 'b':
-            g->build = optarg;
-            break;
-        case 'w':
-            g->work = optarg;
-            break;
-        case 'R':
-            a->report = optarg;
-            break;
-        case 'p':
-            a->points = optarg;
-            break;
-        case 'C':
-            g->compiler = optarg;
-            break;
-        case 'F':
-            g->flags = optarg;
-            break;
-        case 'L':
-            g->link_flags = optarg;
-            break;
-        case 'j':
-            a->jobs = atoi(optarg);
-            break;
-        case 'n':
-            a->scatters = whole(optarg);
-            break;
-        case 'S':
-            g->salt = optarg;
-            break;
-        case 't':
-            g->cpu_seconds = atof(optarg);
-            break;
-        case 'h':
-            fputs(help, stdout);
-            exit(0);
-        default:
-            return EXIT_USAGE;
-        }
-    }
+    const char *stage = NULL, *odd = NULL;
+    float seconds = 6.0f;
+    bool sanitized = false;
+    const Flag flags[] = {
+        {"code", FLAG_TEXT, &g->code, 0, 0},
+        {"step", FLAG_TEXT, &a->step, 0, 0},
+        {"stage", FLAG_TEXT, &stage, 0, 0},
+        {"root", FLAG_TEXT, &g->root, 0, 0},
+        {"build", FLAG_TEXT, &g->build, 0, 0},
+        {"work", FLAG_TEXT, &g->work, 0, 0},
+        {"report", FLAG_TEXT, &a->report, 0, 0},
+        {"points", FLAG_TEXT, &a->points, 0, 0},
+        {"compiler", FLAG_TEXT, &g->compiler, 0, 0},
+        {"flags", FLAG_TEXT, &g->flags, 0, 0},
+        {"link", FLAG_TEXT, &g->link_flags, 0, 0},
+        {"jobs", FLAG_INT, &a->jobs, 0, 1024},
+        {"salt", FLAG_TEXT, &g->salt, 0, 0},
+        {"seconds", FLAG_FLOAT, &seconds, 0.1, 1e6},
+        {"scatters", FLAG_INT, &a->scatters, 1, 999},
+        {"credit", FLAG_PRESENT, &a->credit, 0, 0},
+        {"strict", FLAG_PRESENT, &a->strict, 0, 0},
+        {"sanitized", FLAG_PRESENT, &sanitized, 0, 0},
+        {"first-round", FLAG_PRESENT, &g->first_round_only, 0, 0},
+        {"features", FLAG_PRESENT, &a->features, 0, 0},
+        {"verbose", FLAG_PRESENT, &a->verbose, 0, 0},
+    };
+    int wrong = command_line_parse(&(CommandLine){"judge", help, "flags alone", flags, FLAG_COUNT(flags), 0, 1}, count,
+                                   arguments, &odd);
+    if (wrong || odd)
+        return wrong ? wrong : report_usage("judge", "what is `%s`?", odd);
+    a->stage = stage ? stage_number(stage) : 0;
+    g->cpu_seconds = (double)seconds;
     g->memory_limit = !sanitized;
     g->compile_only = a->scatters > 0;
-    g->first_round_only = first_round;
-    if (optind < count) {
-        fprintf(stderr, "judge: what is `%s`? judge --help lists the flags\n", arguments[optind]);
-        return EXIT_USAGE;
-    }
     return 0;
 }

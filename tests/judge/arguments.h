@@ -2,20 +2,20 @@
 #ifndef PHOTONLAB_JUDGE_ARGUMENTS_H
 #define PHOTONLAB_JUDGE_ARGUMENTS_H
 
+#include "base/command_line.h"
 #include "judge/grade/grade.h"
 
 #define EXIT_FAILS    1
-#define EXIT_USAGE    2
 #define EXIT_UNGRADED 3
 
 typedef struct {
     GradeOptions grade;
     const char *step, *report, *points;
     int stage, jobs, scatters;
-    int credit, strict, features, verbose;
+    bool credit, strict, features, verbose;
 } Arguments;
 
-// 0, or the exit code after a message. --help prints and exits.
+// 0; or, all said, the exit code or HELP_SHOWN.
 int arguments_parse(int count, char **arguments, Arguments *a);
 
 #endif

@@ -228,7 +228,7 @@ int main(int count, char **arguments)
     Arguments a;
     int wrong = arguments_parse(count, arguments, &a);
     if (wrong)
-        return wrong;
+        return wrong == HELP_SHOWN ? 0 : wrong;
     mkdir(a.grade.work, 0755);
     make_absolute(&a.grade.root, root, sizeof root);
     make_absolute(&a.grade.build, build, sizeof build);

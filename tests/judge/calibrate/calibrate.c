@@ -3,9 +3,9 @@
 //
 // With --measure it writes nothing, but counts how often fresh groups of pictures fail: of right code, the false verdicts;
 // with --object, of a mistake.
+#include "base/command_line.h"
 #include "calibrate.h"
 
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -61,80 +61,44 @@ void sort(double *values, long count)
     qsort(values, (size_t)count, sizeof *values, compare);
 }
 
-static bool parse(int count, char **arguments, Arguments *a)
+// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN. Names of sets go to `sets`.
+static int parse(int count, char **arguments, Arguments *a, const char **sets)
 {
     *a = (Arguments){.build = "build", .out = "tests/reference/pictures", .renders = 2000, .groups = 2000, .seed = 1};
-    const struct option options[] = {
-        {"build", required_argument, NULL, 'b'},   {"renders", required_argument, NULL, 'r'},
-        {"groups", required_argument, NULL, 'g'},  {"out", required_argument, NULL, 'o'},
-        {"jobs", required_argument, NULL, 'j'},    {"seed", required_argument, NULL, 's'},
-        {"measure", required_argument, NULL, 'm'}, {"step", required_argument, NULL, 'i'},
-        {"object", required_argument, NULL, 'c'},  {"name", required_argument, NULL, 'n'},
-        {"help", no_argument, NULL, 'h'},          {NULL, 0, NULL, 0}};
-    for (int found; (found = getopt_long(count, arguments, "h", options, NULL)) != -1;) {
-        switch (found) {
-        case 'b':
-            a->build = optarg;
-            break;
-        case 'r':
-            a->renders = atol(optarg);
-            break;
-        case 'g':
-            a->groups = atol(optarg);
-            break;
-        case 'o':
-            a->out = optarg;
-            break;
-        case 'j':
-            a->jobs = atoi(optarg);
-            break;
-        case 's':
-            a->seed = atol(optarg);
-            break;
-        case 'm':
-            a->measure = atol(optarg);
-            break;
-        case 'i':
-            a->step = optarg;
-            break;
-        case 'c':
-            a->object = optarg;
-            break;
-        case 'n':
-            a->name = optarg;
-            break;
-        case 'h':
-            fputs(help, stdout);
-            exit(0);
-        default:
-            return false;
-        }
-    }
-    if (a->renders < 100 || a->groups < 499 || a->measure < 0 || (!a->step && a->object) ||
-        (a->step && !step_find(a->step))) {
-        fprintf(stderr, "calibrate: --renders from 100, --groups from 499, --object with a --step that there is\n");
-        return false;
-    }
-    return true;
+    const Flag flags[] = {
+        {"build", FLAG_TEXT, &a->build, 0, 0},       {"renders", FLAG_LONG, &a->renders, 100, 1e9},
+        {"groups", FLAG_LONG, &a->groups, 499, 1e9}, {"out", FLAG_TEXT, &a->out, 0, 0},
+        {"jobs", FLAG_INT, &a->jobs, 0, 1024},       {"seed", FLAG_LONG, &a->seed, -1e15, 1e15},
+        {"measure", FLAG_LONG, &a->measure, 0, 1e9}, {"step", FLAG_TEXT, &a->step, 0, 0},
+        {"object", FLAG_TEXT, &a->object, 0, 0},     {"name", FLAG_TEXT, &a->name, 0, 0},
+    };
+    int wrong = command_line_parse(
+        &(CommandLine){"calibrate", help, "at most four sets", flags, FLAG_COUNT(flags), 0, PICTURE_SETS}, count,
+        arguments, sets);
+    if (!wrong && ((!a->step && a->object) || (a->step && !step_find(a->step))))
+        return report_usage("calibrate", "--object with a --step that there is");
+    return wrong;
 }
 
-static bool is_wanted(const PictureSet *set, char **names, int count)
+static bool is_wanted(const PictureSet *set, const char *const *names)
 {
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < PICTURE_SETS && names[i]; i++)
         if (strcmp(names[i], set->name) == 0)
             return true;
-    return count == 0;
+    return !names[0];
 }
 
 int main(int count, char **arguments)
 {
     Arguments a;
-    if (!parse(count, arguments, &a))
-        return 2;
+    const char *sets[PICTURE_SETS] = {NULL};
+    int wrong = parse(count, arguments, &a, sets);
+    if (wrong)
+        return wrong == HELP_SHOWN ? 0 : wrong;
     bool ok = true;
     int done = 0;
     for (int i = 0; i < PICTURE_SETS; i++) {
-        if (!is_wanted(&picture_sets[i], arguments + optind, count - optind))
+        if (!is_wanted(&picture_sets[i], sets))
             continue;
         ok = (a.measure > 0 ? measure_set(&a, &picture_sets[i]) : calibrate_set(&a, &picture_sets[i])) && ok;
         done++;

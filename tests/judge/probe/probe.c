@@ -189,7 +189,8 @@ static bool run_cases(const Arguments *a, const StepInfo *step, char *text, int 
         if (ok && output.out_of_memory)
             ok = error_set(error, "not enough memory");
         if (ok && output.count != expected)
-            ok = error_set(error, "gave %zu numbers where tests/judge/probe/probe_sizes.h says %zu", output.count, expected);
+            ok = error_set(error, "gave %zu numbers where tests/judge/probe/probe_sizes.h says %zu", output.count,
+                           expected);
         if (ok && fd >= 0 && !write_case(fd, number, &output))
             ok = error_set(error, "cannot write the results: %s", strerror(errno));
         if (ok && a->print)
@@ -220,14 +221,16 @@ static int parse(int count, char **arguments, Arguments *a)
         {"only", FLAG_INT, &a->only, 0, 1e9},
         {"print", FLAG_PRESENT, &a->print, 0, 0},
     };
-    int wrong = command_line_parse(&(CommandLine){"probe", help, "one file of cases", flags, FLAG_COUNT(flags), 1, 1},
-                                   count, arguments, &a->cases);
+    int wrong =
+        command_line_parse(&(CommandLine){"photonlab probe", help, "one file of cases", flags, FLAG_COUNT(flags), 1, 1},
+                           count, arguments, &a->cases);
     if (wrong)
         return wrong;
     bool one = a->step && a->object && !a->several && !a->objects;
     bool several = a->several && a->objects && !a->step && !a->object;
     if (!a->references || (!one && !several))
-        return report_usage("probe", "needs --step and --object, or --several and --objects; and --references");
+        return report_usage("photonlab probe",
+                            "needs --step and --object, or --several and --objects; and --references");
     return 0;
 }
 
@@ -262,9 +265,9 @@ int command_probe(int count, char **arguments)
     const StepInfo *step = a.step ? step_find(a.step) : NULL;
     bool graded[STEP_COUNT];
     if (a.step && !step)
-        return report_usage("probe", "--step %s: no such step", a.step);
+        return report_usage("photonlab probe", "--step %s: no such step", a.step);
     if (a.several && !read_list(a.several, graded))
-        return report_usage("probe", "--several %s: expected steps parted by commas", a.several);
+        return report_usage("photonlab probe", "--several %s: expected steps parted by commas", a.several);
     scene_root = a.root ? a.root : ".";
     parallel_limit(1); // grading runs one probe per core
     Error error = {""};

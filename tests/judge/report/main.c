@@ -1,3 +1,4 @@
+#include "base/command_line.h"
 #include "base/file.h"
 #include "report.h"
 
@@ -6,8 +7,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static const char usage[] =
-    "report [--teacher] [--notes PATH] DIR\n"
+static const char help[] =
+    "usage: report [--teacher] [--notes PATH] DIR\n"
     "\n"
     "Reads DIR/report.json, which the judge writes, and writes beside it index.html, junit.xml, report.tap,\n"
     "gradescope/results.json, prairielearn/results.json and classroom.txt.\n"
@@ -54,45 +55,27 @@ static bool is_beside(const char *path)
     return path[0] != '\0' && path[0] != '/' && !strpbrk(path, ":\\");
 }
 
-static int complain(const char *what, const char *about)
+// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
+static int parse(int count, char **arguments, Report *report)
 {
-    fprintf(stderr, "report: %s%s\n\n%s", what, about, usage);
-    return 2;
+    const Flag flags[] = {
+        {"teacher", FLAG_PRESENT, &report->teacher, 0, 0},
+        {"notes", FLAG_TEXT, &report->notes, 0, 0},
+    };
+    int wrong = command_line_parse(&(CommandLine){"report", help, "one directory", flags, FLAG_COUNT(flags), 1, 1},
+                                   count, arguments, &report->directory);
+    if (!wrong && report->notes && !is_beside(report->notes))
+        return report_usage("report", "--notes %s: expected a relative path", report->notes);
+    return wrong;
 }
 
-// 0: go on; 2: the flags are wrong; −1: help was asked for.
-static int read_flags(int count, char **words, Report *flags)
-{
-    for (int i = 1; i < count; i++) {
-        if (strcmp(words[i], "--help") == 0)
-            return -1;
-        if (strcmp(words[i], "--teacher") == 0)
-            flags->teacher = true;
-        else if (strcmp(words[i], "--notes") == 0 && i + 1 < count)
-            flags->notes = words[++i];
-        else if (words[i][0] == '-')
-            return complain("unknown flag, or one without its value: ", words[i]);
-        else if (flags->directory)
-            return complain("one directory at a time, not also ", words[i]);
-        else
-            flags->directory = words[i];
-    }
-    if (!flags->directory)
-        return complain("which directory?", "");
-    if (flags->notes && !is_beside(flags->notes))
-        return complain("--notes: expected a relative path; found ", flags->notes);
-    return 0;
-}
-
-int main(int count, char **words)
+int main(int count, char **arguments)
 {
     Report flags = {.notes = NULL}, report;
     Error error = {""};
-    int wrong = read_flags(count, words, &flags);
-    if (wrong == -1)
-        return fputs(usage, stdout) == EOF;
+    int wrong = parse(count, arguments, &flags);
     if (wrong)
-        return wrong;
+        return wrong == HELP_SHOWN ? 0 : wrong;
     bool good = report_read(&report, flags.directory, &error);
     report.teacher = flags.teacher;
     report.notes = flags.notes;
