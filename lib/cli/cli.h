@@ -5,6 +5,7 @@
 
 #include "base/command_line.h"
 #include "photonlab.h"
+#include "scene/limits.h"
 
 #include <stdbool.h>
 
@@ -21,11 +22,6 @@ int command_probe(int count, char **arguments);
 // Prints the error to standard error and returns EXIT_INPUT.
 int report_error(const Error *error);
 
-#define MOST_PHOTONS 2000000000L
-#define MOST_K       1000000
-#define MOST_DEPTH   1000
-#define MOST_SIDE    16384
-#define MOST_SAMPLES 1000000
 #define MOST_THREADS 1024
 
 // A bar with the time that is left, on standard error, when that is a terminal; silent otherwise.

@@ -11,8 +11,6 @@
 
 #include <stddef.h>
 
-#define MAX_MATERIALS 255
-
 // What the scene file asks for; flags of the command line go before.
 typedef struct {
     int width, height; // pixels

@@ -1,6 +1,6 @@
 // Feeds the OBJ reader with whatever libFuzzer thinks of: a mesh or a message, no crash, no leak.
 // Build and run: make fuzz READER=obj
-#include "scene/file/limits.h"
+#include "scene/bvh/shape.h"
 #include "scene/file/obj.h"
 
 #include <stdlib.h>

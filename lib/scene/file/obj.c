@@ -1,7 +1,8 @@
 #include "scene/file/obj.h"
 
 #include "base/array.h"
-#include "scene/file/limits.h"
+#include "scene/bvh/shape.h"
+#include "scene/limits.h"
 #include "scene/file/obj_lines.h"
 #include "base/text.h"
 

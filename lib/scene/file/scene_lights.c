@@ -1,4 +1,3 @@
-#include "scene/file/limits.h"
 #include "scene/file/scene_load.h"
 
 #include <stdio.h>
@@ -8,8 +7,8 @@
 static bool set_emission(const SceneLoader *loader, const LightEntry *entry, Light *light)
 {
     if (!entry->radiance == !entry->power)
-        return scene_fault(loader, NULL, "this light has %s; expected exactly one of radiance and power",
-                           entry->radiance ? "both radiance and power" : "neither radiance nor power");
+        return loader_fault(loader, NULL, "this light has %s; expected exactly one of radiance and power",
+                            entry->radiance ? "both radiance and power" : "neither radiance nor power");
     float power_of_radiance = PI * light->area;
     if (entry->radiance) {
         light->radiance = colour_from_entry(entry->radiance);
@@ -20,8 +19,8 @@ static bool set_emission(const SceneLoader *loader, const LightEntry *entry, Lig
     }
     float most = colour_max(light->radiance);
     if (!(most < 1e18f && colour_max(light->power) < 1e18f))
-        return scene_fault(loader, NULL, "this light of %g m² is too bright to reckon with; expected less power",
-                           light->area);
+        return loader_fault(loader, NULL, "this light of %g m² is too bright to reckon with; expected less power",
+                            light->area);
     return true;
 }
 
@@ -30,10 +29,10 @@ static bool add_light_material(SceneLoader *loader, Colour radiance, uint32_t *m
 {
     Scene *scene = loader->scene;
     if (scene->material_count == MAX_MATERIALS)
-        return scene_fault(loader, NULL,
-                           "too many materials: each rectangle or sphere that shines counts as one; "
-                           "expected at most %d",
-                           MAX_MATERIALS);
+        return loader_fault(loader, NULL,
+                            "too many materials: each rectangle or sphere that shines counts as one; "
+                            "expected at most %d",
+                            MAX_MATERIALS);
     Material *own = &scene->materials[scene->material_count];
     *own = (Material){.type = MATERIAL_LIGHT, .radiance = radiance};
     snprintf(own->name, sizeof own->name, "light %d", loader->index + 1);
@@ -73,7 +72,7 @@ static bool build_aimed(SceneLoader *loader, const LightEntry *entry, Light *lig
 {
     Vec3 way = vec3_sub(vec3_from_entry(entry->target), light->position);
     if (vec3_length(way) < SCENE_SMALLEST_LENGTH)
-        return scene_fault(loader, "target", "the target is the light's position; expected another point");
+        return loader_fault(loader, "target", "the target is the light's position; expected another point");
     light->direction = vec3_normalize(way);
     if (light->type == LIGHT_SPOT) {
         light->cos_cone = cosf(*entry->angle * (PI / 180.0f));
@@ -95,8 +94,8 @@ static bool build_light(SceneLoader *loader, const LightEntry *entry, Light *lig
     light->primitive = NO_PRIMITIVE;
     const float *given = entry->power ? entry->power : entry->radiance;
     if (given && colour_max(colour_from_entry(given)) <= 0)
-        return scene_fault(loader, entry->power ? "power" : "radiance",
-                           "this light is dark; expected a number above 0");
+        return loader_fault(loader, entry->power ? "power" : "radiance",
+                            "this light is dark; expected a number above 0");
     if (light->type == LIGHT_RECTANGLE)
         return build_rectangle(loader, entry, light);
     if (light->type == LIGHT_SPHERE)
@@ -113,7 +112,7 @@ bool scene_build_lights(SceneLoader *loader)
     loader->section = &light_section;
     loader->index = -1;
     if (count == 0)
-        return scene_fault(loader, NULL, "the scene has no lights; expected at least one under 'lights:'");
+        return loader_fault(loader, NULL, "the scene has no lights; expected at least one under 'lights:'");
     scene->lights = calloc(count, sizeof *scene->lights);
     if (!scene->lights)
         return error_set(loader->error, "%s: not enough memory", loader->file);

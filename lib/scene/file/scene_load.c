@@ -1,6 +1,5 @@
 #include "scene/file/scene_load.h"
 
-#include "scene/file/limits.h"
 #include "scene/file/scene_locate.h"
 #include "base/text.h"
 
@@ -11,7 +10,7 @@
 
 #define LARGEST_SCENE_FILE (4u << 20) // bytes; big geometry belongs into a mesh
 
-bool scene_fault(const SceneLoader *loader, const char *key, const char *format, ...)
+bool loader_fault(const SceneLoader *loader, const char *key, const char *format, ...)
 {
     char path[128], what[700];
     const char *section = loader->section ? loader->section->name : "";
@@ -73,10 +72,10 @@ bool scene_build_camera(SceneLoader *loader)
     Vec3 up = entry->up ? vec3_from_entry(entry->up) : vec3(0, 1, 0);
     Vec3 view = vec3_sub(target, position);
     if (vec3_length(view) < SCENE_SMALLEST_LENGTH)
-        return scene_fault(loader, "target", "the target is the camera's position; expected another point");
+        return loader_fault(loader, "target", "the target is the camera's position; expected another point");
     if (flat_is_degenerate(view, up))
-        return scene_fault(loader, entry->up ? "up" : NULL,
-                           "up (%g, %g, %g) is zero or along the view; expected another direction", up.x, up.y, up.z);
+        return loader_fault(loader, entry->up ? "up" : NULL,
+                            "up (%g, %g, %g) is zero or along the view; expected another direction", up.x, up.y, up.z);
     loader->scene->camera = camera_create(position, target, up, *entry->vertical_fov);
     return true;
 }

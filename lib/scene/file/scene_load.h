@@ -3,6 +3,7 @@
 #ifndef PHOTONLAB_SCENE_SCENE_LOAD_H
 #define PHOTONLAB_SCENE_SCENE_LOAD_H
 
+#include "scene/limits.h"
 #include "scene/scene.h"
 #include "scene/file/scene_schema.h"
 
@@ -26,7 +27,7 @@ Scene *scene_load_text(const char *text, size_t size, const char *file, const ch
 
 // Writes "file:line:column: …" with the place of `key` ("radius", "radiance[1]") in the entry at hand (NULL:
 // of the entry itself). Always false.
-bool scene_fault(const SceneLoader *loader, const char *key, const char *format, ...)
+bool loader_fault(const SceneLoader *loader, const char *key, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
 #endif

@@ -1,6 +1,6 @@
 #include "scene/file/scene_locate.h"
+#include "scene/limits.h"
 
-#include "scene/file/limits.h"
 #include "base/text.h"
 
 #include <math.h>

@@ -22,7 +22,7 @@ static bool catalogue_indices(const SceneLoader *loader, const char *name, Mater
     if (!glass) {
         char suggestion[400];
         text_suggest(suggestion, sizeof suggestion, name, glass_name, NULL);
-        return scene_fault(loader, "glass", "there is no glass '%s'; %s", name, suggestion);
+        return loader_fault(loader, "glass", "there is no glass '%s'; %s", name, suggestion);
     }
     for (int c = 0; c < 3; c++)
         material->index[c] = (float)glass_index(glass, wavelengths[c]);
@@ -34,9 +34,9 @@ static bool cauchy_indices(const SceneLoader *loader, const MaterialEntry *entry
     for (int c = 0; c < 3; c++) {
         material->index[c] = (float)cauchy_index(*entry->index_d, *entry->abbe, wavelengths[c]);
         if (!(material->index[c] >= 0.1f && material->index[c] <= 10.0f))
-            return scene_fault(loader, "abbe",
-                               "index_d %g with abbe %g gives the index %g at %.0f nm; expected 0.1 to 10",
-                               *entry->index_d, *entry->abbe, material->index[c], wavelengths[c]);
+            return loader_fault(loader, "abbe",
+                                "index_d %g with abbe %g gives the index %g at %.0f nm; expected 0.1 to 10",
+                                *entry->index_d, *entry->abbe, material->index[c], wavelengths[c]);
     }
     return true;
 }
@@ -46,10 +46,10 @@ static bool build_glass(const SceneLoader *loader, const MaterialEntry *entry, M
     bool cauchy = entry->index_d || entry->abbe;
     if (!!entry->index + !!entry->indices + !!entry->glass + cauchy != 1 ||
         (cauchy && !(entry->index_d && entry->abbe)))
-        return scene_fault(loader, NULL,
-                           "glass '%s' has %s index; expected exactly one of: index, indices, glass, or "
-                           "index_d together with abbe",
-                           entry->name, cauchy || entry->index || entry->indices || entry->glass ? "no single" : "no");
+        return loader_fault(loader, NULL,
+                            "glass '%s' has %s index; expected exactly one of: index, indices, glass, or "
+                            "index_d together with abbe",
+                            entry->name, cauchy || entry->index || entry->indices || entry->glass ? "no single" : "no");
     if (entry->glass && !catalogue_indices(loader, entry->glass, material))
         return false;
     if (cauchy && !cauchy_indices(loader, entry, material))
@@ -68,10 +68,10 @@ static bool build_glossy(const SceneLoader *loader, const MaterialEntry *entry, 
     // 0.7 + 0.3 may come out a little above 1 in single precision.
     float most = colour_max(colour_add(material->diffuse, material->specular));
     if (most > 1.000001f)
-        return scene_fault(loader, NULL,
-                           "diffuse + specular of '%s' is %g in a channel; expected at most 1, or the surface "
-                           "would give back more light than it gets",
-                           entry->name, most);
+        return loader_fault(loader, NULL,
+                            "diffuse + specular of '%s' is %g in a channel; expected at most 1, or the surface "
+                            "would give back more light than it gets",
+                            entry->name, most);
     material->lobe = calloc(1, sizeof *material->lobe);
     if (!material->lobe)
         return error_set(loader->error, "%s: not enough memory", loader->file);
@@ -85,8 +85,8 @@ static bool build_material(const SceneLoader *loader, const MaterialEntry *entry
     material->type = (MaterialType)entry->type;
     for (int i = 0; i < loader->index; i++)
         if (strcmp(loader->entries->materials[i].name, entry->name) == 0)
-            return scene_fault(loader, "name", "a material '%s' stands above already; expected another name",
-                               entry->name);
+            return loader_fault(loader, "name", "a material '%s' stands above already; expected another name",
+                                entry->name);
     switch (material->type) {
     case MATERIAL_DIFFUSE:
         material->diffuse = colour_from_entry(entry->reflectance);

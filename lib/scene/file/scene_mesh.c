@@ -1,7 +1,6 @@
 // Meshes: read, placed, and made into triangles of the scene.
 #include "scene/file/scene_load.h"
 
-#include "scene/file/limits.h"
 #include "scene/file/obj.h"
 #include "base/text.h"
 
@@ -49,9 +48,9 @@ static bool place_mesh(const SceneLoader *loader, ObjMesh *mesh, const Placement
         mesh->points[i] = p;
         float most = fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z)));
         if (most > (float)SCENE_LARGEST_NUMBER)
-            return scene_fault(loader, "scale",
-                               "scale and translate put a point of the mesh %g m away; expected at most %g", most,
-                               SCENE_LARGEST_NUMBER);
+            return loader_fault(loader, "scale",
+                                "scale and translate put a point of the mesh %g m away; expected at most %g", most,
+                                SCENE_LARGEST_NUMBER);
     }
     return true;
 }
@@ -107,11 +106,11 @@ static bool add_mesh(SceneLoader *loader, const ObjMesh *mesh, const uint32_t *m
             .is_triangle = 1,
         };
         if (flat.material == NO_MATERIAL)
-            return scene_fault(loader, NULL, "this mesh has faces without usemtl; expected a 'material' for them");
+            return loader_fault(loader, NULL, "this mesh has faces without usemtl; expected a 'material' for them");
         if (flat_is_degenerate(flat.edge_u, flat.edge_v))
-            return scene_fault(loader, NULL,
-                               "a triangle of this mesh vanishes by its scale or its distance from 0; "
-                               "expected a larger scale or a smaller translate");
+            return loader_fault(loader, NULL,
+                                "a triangle of this mesh vanishes by its scale or its distance from 0; "
+                                "expected a larger scale or a smaller translate");
         if (triangle->normal[0] != OBJ_NONE && !add_corner_normals(loader, mesh, triangle, &flat))
             return false;
         if (!scene_add_flat(loader, flat))
@@ -146,13 +145,13 @@ static bool add_text(SceneLoader *loader, const ShapeEntry *entry, const char *t
 bool scene_build_mesh(SceneLoader *loader, const ShapeEntry *entry, uint32_t material)
 {
     if (!loader->folder)
-        return scene_fault(loader, "file", "meshes are not read here");
+        return loader_fault(loader, "file", "meshes are not read here");
     char *path = mesh_path(loader->folder, entry->file);
     Error unread = {""};
     size_t size = 0;
     char *text = path ? text_read_file(path, LARGEST_OBJ_FILE, &size, &unread) : NULL;
     bool fine = text ? add_text(loader, entry, text, size, path, material)
-                     : scene_fault(loader, "file", "the mesh %s", unread.message);
+                     : loader_fault(loader, "file", "the mesh %s", unread.message);
     free(text);
     free(path);
     return fine;

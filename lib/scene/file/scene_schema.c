@@ -1,6 +1,7 @@
 #include "scene/file/scene_schema.h"
 
 #include "scene/light.h"
+#include "scene/limits.h"
 #include "scene/scene.h"
 
 // Every key but `type` is held by pointer, so that a missing one can be told from a zero.

@@ -1,7 +1,6 @@
 #include "scene/file/scene_load.h"
 
 #include "base/array.h"
-#include "scene/file/limits.h"
 #include "base/text.h"
 
 #include <string.h>
@@ -49,10 +48,10 @@ bool scene_add_normals(SceneLoader *loader, const Vec3 corners[3])
 bool scene_check_edges(const SceneLoader *loader, const char *key, Vec3 edge_u, Vec3 edge_v)
 {
     return !flat_is_degenerate(edge_u, edge_v) ||
-           scene_fault(loader, key,
-                       "edge_u (%g, %g, %g) and edge_v (%g, %g, %g) are zero or parallel; expected two sides "
-                       "that span an area",
-                       edge_u.x, edge_u.y, edge_u.z, edge_v.x, edge_v.y, edge_v.z);
+           loader_fault(loader, key,
+                        "edge_u (%g, %g, %g) and edge_v (%g, %g, %g) are zero or parallel; expected two sides "
+                        "that span an area",
+                        edge_u.x, edge_u.y, edge_u.z, edge_v.x, edge_v.y, edge_v.z);
 }
 
 static const char *material_name(const void *entries, size_t i)
@@ -107,8 +106,8 @@ static bool build_box(SceneLoader *loader, const ShapeEntry *entry, uint32_t mat
     Vec3 size = vec3_sub(high, low), centre = vec3_scale(vec3_add(low, high), 0.5f);
     for (int i = 0; i < 3; i++)
         if (vec3_component(size, i) < SCENE_SMALLEST_LENGTH)
-            return scene_fault(loader, "high", "high is not above low in %c (%g to %g); expected a larger number",
-                               "xyz"[i], vec3_component(low, i), vec3_component(high, i));
+            return loader_fault(loader, "high", "high is not above low in %c (%g to %g); expected a larger number",
+                                "xyz"[i], vec3_component(low, i), vec3_component(high, i));
     float angle = entry->rotate_y ? *entry->rotate_y : 0.0f;
     Vec3 edges[3] = {scene_rotate(vec3(size.x, 0, 0), 1, angle), vec3(0, size.y, 0),
                      scene_rotate(vec3(0, 0, size.z), 1, angle)};
@@ -130,8 +129,8 @@ static bool build_prism(SceneLoader *loader, const ShapeEntry *entry, uint32_t m
 {
     Vec3 axis = vec3_from_entry(entry->axis), down = vec3_from_entry(entry->down);
     if (flat_is_degenerate(axis, down))
-        return scene_fault(loader, "down",
-                           "axis and down are zero or parallel; expected the edge's direction and one away from it");
+        return loader_fault(loader, "down",
+                            "axis and down are zero or parallel; expected the edge's direction and one away from it");
     axis = vec3_normalize(axis);
     down = vec3_normalize(vec3_sub(down, vec3_scale(axis, vec3_dot(axis, down))));
     Vec3 sideways = vec3_cross(axis, down);
@@ -151,8 +150,8 @@ static bool build_prism(SceneLoader *loader, const ShapeEntry *entry, uint32_t m
     };
     for (int i = 0; i < 5; i++) {
         if (flat_is_degenerate(faces[i].edge_u, faces[i].edge_v))
-            return scene_fault(loader, "angle",
-                               "this prism is too thin to have an inside; expected larger angle, side or length");
+            return loader_fault(loader, "angle",
+                                "this prism is too thin to have an inside; expected larger angle, side or length");
         if (!scene_add_flat(loader, faces[i]))
             return false;
     }
@@ -165,7 +164,7 @@ static bool build_shape(SceneLoader *loader, const ShapeEntry *entry)
     if (entry->material && !scene_find_material(loader, entry->material, &material)) {
         char suggestion[400];
         scene_suggest_material(loader, entry->material, suggestion, sizeof suggestion);
-        return scene_fault(loader, "material", "there is no material '%s'; %s", entry->material, suggestion);
+        return loader_fault(loader, "material", "there is no material '%s'; %s", entry->material, suggestion);
     }
     switch ((ShapeType)entry->type) {
     case SHAPE_SPHERE:

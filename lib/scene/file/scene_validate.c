@@ -1,5 +1,4 @@
 // What can be said of an entry without looking at others: its keys and the range of each number.
-#include "scene/file/limits.h"
 #include "scene/file/scene_load.h"
 
 #include <stdio.h>
@@ -14,12 +13,12 @@ typedef struct {
 } NumberRule;
 
 static const NumberRule rules[] = {
-    {"render", "width height", 1, 16384, false, "1 to 16384 pixels"},
-    {"render", "samples", 1, 1e6, false, "1 to 1000000 rays per pixel"},
-    {"render", "photons", 1, 1e9, false, "1 to 1000000000 photons"},
-    {"render", "k", 1, 1e6, false, "1 to 1000000 photons"},
+    {"render", "width height", 1, MOST_SIDE, false, "1 to 16384 pixels"},
+    {"render", "samples", 1, MOST_SAMPLES, false, "1 to 1000000 rays per pixel"},
+    {"render", "photons", 1, MOST_PHOTONS, false, "1 to 1000000000 photons"},
+    {"render", "k", 1, MOST_K, false, "1 to 1000000 photons"},
     {"render", "radius", 0, 1e9, false, "a length in metres, or 0 for no limit"},
-    {"render", "depth", 1, 10000, false, "1 to 10000 bounces"},
+    {"render", "depth", 1, MOST_DEPTH, false, "1 to 1000 bounces"},
     {NULL, "radius scale side length", SCENE_SMALLEST_LENGTH, 1e9, false, "a number greater than 0 (from 1e-9)"},
     {NULL, "vertical_fov angle", 0, 180, true, "an angle between 0 and 180 degrees"},
     {NULL, "reflectance diffuse specular", 0, 1, false, "0 to 1"},
@@ -68,17 +67,17 @@ static bool check_numbers(const SceneLoader *loader, const cyaml_schema_field_t 
     if (field->value.type == CYAML_INT) {
         long whole = field->value.data_size == sizeof(int) ? *(const int *)value : *(const long *)value;
         return in_range(rule, (double)whole) ||
-               scene_fault(loader, field->key, "%s is %ld; expected %s", field->key, whole, rule->expected);
+               loader_fault(loader, field->key, "%s is %ld; expected %s", field->key, whole, rule->expected);
     }
     if (field->value.type == CYAML_FLOAT)
-        return in_range(rule, *(const float *)value) || scene_fault(loader, field->key, "%s is %g; expected %s",
-                                                                    field->key, *(const float *)value, rule->expected);
+        return in_range(rule, *(const float *)value) || loader_fault(loader, field->key, "%s is %g; expected %s",
+                                                                     field->key, *(const float *)value, rule->expected);
     for (int i = 0; i < 3; i++) {
         char key[64];
         snprintf(key, sizeof key, "%s[%d]", field->key, i);
         float number = ((const float *)value)[i];
         if (!in_range(rule, number))
-            return scene_fault(loader, key, "%s is %g; expected %s", field->key, number, rule->expected);
+            return loader_fault(loader, key, "%s is %g; expected %s", field->key, number, rule->expected);
     }
     return true;
 }
@@ -94,11 +93,11 @@ static bool validate_entry(const SceneLoader *loader, const void *entry)
         bool belongs = !keys || !(field->value.flags & CYAML_FLAG_OPTIONAL) || has_key(keys->required, field->key) ||
                        has_key(keys->optional, field->key);
         if (value && !belongs)
-            return scene_fault(loader, field->key, "a %s has no '%s'; its keys are: %s%s%s", keys->type, field->key,
-                               keys->required, keys->required[0] && keys->optional[0] ? " " : "", keys->optional);
+            return loader_fault(loader, field->key, "a %s has no '%s'; its keys are: %s%s%s", keys->type, field->key,
+                                keys->required, keys->required[0] && keys->optional[0] ? " " : "", keys->optional);
         if (!value && keys && has_key(keys->required, field->key))
-            return scene_fault(loader, NULL, "this %s has no '%s'; expected the keys: %s", keys->type, field->key,
-                               keys->required);
+            return loader_fault(loader, NULL, "this %s has no '%s'; expected the keys: %s", keys->type, field->key,
+                                keys->required);
         if (value && field->value.type != CYAML_STRING && !check_numbers(loader, field, value))
             return false;
     }
