@@ -200,6 +200,11 @@ reference: all
 agreement: all meshes
 	@bash tests/agreement.sh $(PROGRAM) $(SCENES)
 
+BENCH_OBJECTS = $(call object,tests/bench/photons.c lib/cli/common.c)
+$(BUILD)/bench_photons: $(BENCH_OBJECTS) $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(CC) $(CFLAGS) $(BENCH_OBJECTS) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(LDLIBS)
+
 ## bench           speed against other programs, as ratios measured side by side (installs them first)
 bench: all meshes
 	@bash tests/bench/run.sh

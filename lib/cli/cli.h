@@ -14,7 +14,6 @@
 int command_render(int count, char **arguments);
 int command_photons(int count, char **arguments);
 int command_diff(int count, char **arguments);
-int command_bench(int count, char **arguments);
 int command_steps(int count, char **arguments);
 int command_preview(int count, char **arguments);
 int command_probe(int count, char **arguments);

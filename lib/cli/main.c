@@ -14,7 +14,6 @@ static const Command commands[] = {
     {"preview", command_preview, "a window on the photons, live; or a snapshot of it"},
     {"photons", command_photons, "write the stored photons as a point cloud"},
     {"diff", command_diff, "compare two pictures"},
-    {"bench", command_bench, "measure speed and memory on this machine"},
     {"steps", command_steps, "list the steps to write, and hints for them"},
     {"probe", command_probe, "run one step on given cases, for the judge"},
 };

@@ -1,9 +1,10 @@
+// The photon pass and the photon map on this machine, in numbers.
 #include "cli/cli.h"
 
 #include <stdio.h>
 
 static const char help[] =
-    "usage: photonlab bench [SCENE] [flags]\n"
+    "usage: bench_photons [SCENE] [flags]\n"
     "\n"
     "Measures this machine on a scene (scenes/box_glass.yaml): photon paths a second on one thread and on all; and, by growing\n"
     "numbers of photons, seconds of the photon pass and of building the map, look-ups a second (50 nearest photons), bytes a\n"
@@ -143,7 +144,7 @@ static int parse(int count, char **arguments, Arguments *a)
         arguments, &a->scene);
 }
 
-int command_bench(int count, char **arguments)
+int main(int count, char **arguments)
 {
     Arguments a;
     int wrong = parse(count, arguments, &a);
