@@ -4,16 +4,18 @@
 //
 //   scene file ──▶ Scene ──▶ photon pass ──▶ PhotonMap ──▶ eye pass ──▶ Image ──▶ PNG
 //
-//   scene/    a YAML file becomes surfaces, materials, lights and a camera; a hierarchy of boxes finds what a ray meets
-//   photons/  lights emit photons, which bounce and land (trace.h: one path; photon_pass.h: all of them); those that
-//             landed go into a kd-tree (photon_map.h)
+//   scene/    materials, lights, a camera; file/: out of YAML and OBJ; bvh/: the tree of boxes that finds what a ray meets
+//   photons/  photons in flight and at rest, and the kd-tree that finds those near a point (photon_map.h)
+//     pass/   lights emit photons, which bounce and land (trace.h: one path; photon_pass.h: all of them)
 //   render/   eye rays find surfaces through the pixels, the map tells how much light arrives there
 //   image/    pictures, in memory and in files, and how far one is from another
 //   steps/    the parts that you write: one function each, called through the table `steps`
 //   math/     vectors, colours, random numbers
-//   preview/  the live preview; the program's, not the library's: view.h (what is drawn), run.h (students' code in
-//             processes of its own), canvas.h (OpenGL), session.h and app.h (what is asked, and what keys do)
+//   base/     errors, files, text, threads
+//   preview/  the live preview; the program's, not the library's
 //   cli/      the program `photonlab`, one file per subcommand
+//
+// README.md in this folder says which of these includes which, and where to find what.
 //
 // Conventions, everywhere:
 //   Metres, watts, linear RGB. Radiance L in W/(m²·sr), flux Φ in W, irradiance E in W/m².

@@ -1,12 +1,12 @@
 // Arrays that grow.
-#ifndef PHOTONLAB_SCENE_ARRAY_H
-#define PHOTONLAB_SCENE_ARRAY_H
+#ifndef PHOTONLAB_BASE_ARRAY_H
+#define PHOTONLAB_BASE_ARRAY_H
 
 #include <stddef.h>
 #include <stdlib.h>
 
-// The array, moved if need be, with room for item number `count`. NULL when memory is short: the old array
-// stays as it is.
+// Makes sure that items[count] may be written: returns the array, larger and moved where it was full. NULL when memory
+// is short: the old array stays as it is.
 static inline void *array_reserve(void *items, size_t count, size_t *capacity, size_t item_size)
 {
     if (count < *capacity)

@@ -69,6 +69,7 @@ static void read_context(void *context, char **place, char **stack)
 #endif
 }
 
+// Did it touch what lies just below the stack, more than 7 MB from its beginning? The usual limit is 8 MB.
 static bool is_below_stack(int number, const char *address, const char *stack)
 {
     ptrdiff_t depth = stack_top - address;
@@ -102,14 +103,14 @@ int crash_frames(const char *place, void *frames[CRASH_FRAMES])
 
 void crash_watch(CrashHandler handler, const int *signals, size_t count)
 {
-    static char room[64 << 10];
+    static char handler_stack[64 << 10];
     char here;
     stack_top = &here;
 #ifdef HAS_BACKTRACE
     void *first[1];
     backtrace(first, 1); // the first call loads a library, which a handler must not
 #endif
-    stack_t stack = {.ss_sp = room, .ss_size = sizeof room};
+    stack_t stack = {.ss_sp = handler_stack, .ss_size = sizeof handler_stack};
     sigaltstack(&stack, NULL);
     struct sigaction action;
     memset(&action, 0, sizeof action);

@@ -1,7 +1,7 @@
 // Where a fatal signal found the program: what the handlers of `photonlab probe` and of the preview's workers share.
 // All but crash_watch may be called from a signal handler.
-#ifndef PHOTONLAB_STEPS_CRASH_REPORT_H
-#define PHOTONLAB_STEPS_CRASH_REPORT_H
+#ifndef PHOTONLAB_BASE_CRASH_REPORT_H
+#define PHOTONLAB_BASE_CRASH_REPORT_H
 
 #include <signal.h>
 #include <stdbool.h>

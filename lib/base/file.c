@@ -70,12 +70,13 @@ static bool may_replace(const char *path, Error *error)
     return true;
 }
 
-// The process number keeps two programs apart, the attempt what a killed one left behind.
-static FILE *create_beside(const char *path, char *beside, size_t room)
+// Two programs never share a name, since it holds the process number; the attempt's number avoids files that a killed
+// program left behind.
+static FILE *create_beside(const char *path, char *beside, size_t size)
 {
     int file = -1;
     for (int attempt = 0; attempt < 100; attempt++) {
-        snprintf(beside, room, "%s.tmp-%ld-%d", path, (long)getpid(), attempt);
+        snprintf(beside, size, "%s.tmp-%ld-%d", path, (long)getpid(), attempt);
         file = open(beside, O_WRONLY | O_CREAT | O_EXCL, 0666);
         if (file >= 0 || errno != EEXIST)
             break;

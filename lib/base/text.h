@@ -1,6 +1,6 @@
 // Reading text: whole files, numbers, and names that were nearly right.
-#ifndef PHOTONLAB_SCENE_TEXT_H
-#define PHOTONLAB_SCENE_TEXT_H
+#ifndef PHOTONLAB_BASE_TEXT_H
+#define PHOTONLAB_BASE_TEXT_H
 
 #include "base/error.h"
 
@@ -11,9 +11,8 @@
 // fails, with "path: what is wrong" in the error.
 char *text_read_file(const char *path, size_t max, size_t *size, Error *error);
 
-// Reads a decimal number (1, -.5, 2.5e-3) at *at and moves *at behind it. The decimal sign is a point in
-// every locale. False, and *at unmoved, when none stands there: hexadecimal, nan and inf are none. Too large
-// ones give infinity.
+// Reads a decimal number (1, -.5, 2.5e-3) at *at and moves *at behind it, with a decimal point whatever the locale.
+// Too large a number gives infinity. False, and *at stays, when there is no number; 0x10, nan and inf are no numbers.
 bool text_number(const char **at, const char *end, double *value);
 
 // Levenshtein 1966: the fewest letters inserted, removed or replaced that turn a into b, capital or not. 64 where one of

@@ -31,7 +31,7 @@ static const char help[] =
 
 typedef struct {
     const char *scene, *out, *code, *size, *integrator, *steps;
-    RenderSettings settings; // 0 or −1 where the scene's own stand
+    RenderSettings settings; // 0 or −1: no flag, so the scene's own value counts
     int bits;
     bool quiet, json;
     RenderOptions options;

@@ -63,7 +63,7 @@ static void divide(const Sums *sums, size_t pixels, ImageDifference *result)
     }
 }
 
-// The mean of the smallest errors: added in ascending order, it does not hang on where in the image they are.
+// The mean of the smallest errors: added in ascending order, it does not depend on where in the image they are.
 static double trimmed_mean(double *errors, size_t pixels)
 {
     qsort(errors, pixels, sizeof *errors, ascending);

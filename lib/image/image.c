@@ -6,7 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
-// No image that we read is longer: the most pixels as PFM, and some room for its header.
+// No image that we read is longer: the most pixels as PFM, and 4 kB for its header.
 #define MAX_FILE_BYTES (12ull * IMAGE_MAX_PIXELS + 4096)
 
 bool image_check_size(unsigned long width, unsigned long height, const char *name, Error *error)
@@ -57,7 +57,7 @@ bool image_check_finite(const Image *image, const char *name, Error *error)
     return true;
 }
 
-// The comparisons are turned so that NaN becomes 0 too.
+// `!(x > 0)`, not `x <= 0`: it holds for NaN as well, which so becomes 0.
 float srgb_encode(float linear)
 {
     if (!(linear > 0.0f))

@@ -16,7 +16,7 @@ typedef struct {
 } Header;
 
 typedef struct {
-    char text[32]; // bytes that cannot be shown, and the end of one that is too long, as '?'
+    char text[32]; // for messages: cut where it is too long, '?' for what cannot be printed
     int line;
 } Word;
 

@@ -19,7 +19,7 @@ typedef struct {
     png_infop info;
     const char *name;
     Error *error;
-    char warning[128]; // libpng's last: it tells what exactly was wrong before the error that says only where
+    char warning[128]; // libpng's last one; it says what is wrong, the error that follows only where
 
     const unsigned char *bytes; // reading: the file, and how far we are
     size_t size, at;
@@ -61,7 +61,7 @@ static void on_write(png_structp png, png_bytep bytes, size_t count)
         png_error(png, strerror(errno));
 }
 
-// fclose does it.
+// libpng wants to be given one; fclose flushes.
 static void on_flush(png_structp png)
 {
     (void)png;

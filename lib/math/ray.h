@@ -8,8 +8,8 @@
 
 #define NO_PRIMITIVE UINT32_MAX
 
-// A half line. `from` names the primitive that the origin lies on (NO_PRIMITIVE: none): the ray does not hit that one
-// again where it starts, which an epsilon could only promise for scenes of one size.
+// A half line. `from` names the primitive that the origin lies on (NO_PRIMITIVE: none), so that the ray does not hit it
+// again where it starts. Leaving out hits nearer than some epsilon would do this for scenes of one size only.
 typedef struct {
     Vec3 origin;
     Vec3 direction; // unit

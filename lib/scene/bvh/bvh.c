@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <sys/mman.h>
 
-// A box reaches this much farther than its shape, relative to its coordinates: rounding while a hit is
-// computed must not put it outside.
+// A box reaches this much farther than its shape, relative to its coordinates, so that rounding does not put a hit
+// on the shape outside the box.
 #define BOX_PADDING 2e-6f
 #define LARGE_PAGE  ((size_t)2 << 20)
 

@@ -10,10 +10,10 @@
 
 #define BINS        16
 #define DEPTH_LIMIT 60   // below this depth ranges are halved by number, which adds 32 levels at most
-#define STEP_COST   0.4f // of one more binary split, in packets
+#define STEP_COST   0.4f // time to test a node's boxes, where testing a packet takes 1
 
 typedef struct {
-    Float4 low, high; // lane 3 means nothing
+    Float4 low, high; // lane 3 is not used
 } Box4;
 
 typedef struct {
@@ -21,7 +21,7 @@ typedef struct {
     uint32_t count;
 } Bin;
 
-// What is left to build: a range of references and the box of their centroids (times two).
+// What is left to build: a range of references, and the box of their centroids, times two (low + high, not halved).
 typedef struct {
     uint32_t first, count;
     Box4 box, centroids;

@@ -90,7 +90,7 @@ bool bvh_collapse(const Split *splits, Tree *tree, Run **runs)
     uint32_t leaves = 0;
     uint32_t packets = 0;
     count_leaves(splits, 0, &leaves, &packets);
-    // A node that is not full has leaves only, two at least.
+    // The most nodes that there can be: a node is full, or it has nothing but leaves for children, at least two.
     tree->nodes = bvh_allocate((leaves / 2 + leaves / (WIDTH - 1) + 1) * sizeof(Node));
     *runs = malloc(packets * sizeof **runs);
     if (!*runs || !tree->nodes)

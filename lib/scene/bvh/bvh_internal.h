@@ -17,9 +17,9 @@
 
 #define WIDTH      8    // children of a node; a multiple of LANES
 #define PACKET     4    // primitives in a packet
-#define TASK_COUNT 4096 // what is smaller than this is not worth waking a thread for
+#define TASK_COUNT 4096 // a subtree with fewer references is built without waking another thread
 
-// Flats are this much larger than they are, relative to their edges, so that no ray slips between two that
+// Flats are tested as if their edges were this much longer (relative), so that no ray slips between two that
 // share an edge. With 1e-6, a few of a million rays still do on a mesh of a million triangles.
 #define EDGE_SLACK 1e-5f
 
@@ -29,7 +29,7 @@
 #define LEAF_MAX_PACKETS 8
 #define NO_CHILD         UINT32_MAX
 
-#define SMALL_SCENE 16 // so few primitives are looked at without any box
+#define SMALL_SCENE 16 // up to so many primitives are tested without any boxes
 
 typedef struct {
     float bounds[6][WIDTH]; // low x, y, z, high x, y, z of each child; an unused one has low = +∞, high = −∞
@@ -65,8 +65,8 @@ struct Bvh {
     Box bounds;
 };
 
-// A primitive as the builder sees it. Lane 3 of low and high carries its number, low and high half, each of
-// which a float holds exactly.
+// A primitive's box as the builder sees it. Its number travels in lane 3: the lower 16 bits in `low`, the upper ones
+// in `high`, since a float holds 16 bits exactly.
 typedef struct {
     Float4 low, high;
 } Reference;
@@ -106,7 +106,7 @@ void *bvh_allocate(size_t bytes);
 // (*runs)[p]. The caller frees *runs and tree->nodes, also when it fails: false when memory is short.
 bool bvh_build_tree(Reference *references, size_t count, Tree *tree, Run **runs);
 
-// The second half of that: from the binary tree to the wide one.
+// What bvh_build_tree ends with: makes nodes of up to eight children from the binary tree.
 bool bvh_collapse(const Split *splits, Tree *tree, Run **runs);
 
 #endif

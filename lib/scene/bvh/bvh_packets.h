@@ -4,7 +4,7 @@
 
 #include "scene/bvh/bvh_internal.h"
 
-#define INLINE inline __attribute__((always_inline)) // left to itself, the compiler keeps hits in memory
+#define INLINE inline __attribute__((always_inline)) // otherwise compilers pass the hits through memory, which is slow
 
 // A ray prepared for the packets.
 typedef struct {
@@ -129,13 +129,15 @@ static inline Int4 flats_between(const FlatHits *hits, const PacketRay *ray, Flo
     return (hits->t > hits->determinant * ray->t_min) & (hits->t < hits->determinant * t_max);
 }
 
-// With `rarely`, a packet that is missed is left early; a branch that goes either way would cost more than it
-// saves.
-static INLINE void flats_closest(const FlatPacket *packet, const PacketRay *ray, bool rarely, LaneHits *best)
+// Where most packets are missed, a test for that saves the rest; where hits are as likely, mispredicting the branch
+// would cost more than that.
+typedef enum { HIT_AS_OFTEN, MOSTLY_MISSED } Expected;
+
+static INLINE void flats_closest(const FlatPacket *packet, const PacketRay *ray, Expected expected, LaneHits *best)
 {
     FlatHits hits;
     Int4 crossed = flats_crossed(packet, ray, &hits);
-    if (rarely && !int4_bits(crossed & flats_between(&hits, ray, best->t)))
+    if (expected == MOSTLY_MISSED && !int4_bits(crossed & flats_between(&hits, ray, best->t)))
         return;
     Float4 scale = 1.0f / hits.determinant;
     Float4 t = hits.t * scale;

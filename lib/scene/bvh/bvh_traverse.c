@@ -46,9 +46,9 @@ static inline Lanes lanes_load(const float *from)
     return lanes;
 }
 
-// Which children does the ray meet before t_max, and where does it enter them? An axis along which the ray
-// does not move gives −∞…∞ inside the slab and 0·∞, not a number, on its face: min and max then keep their
-// second operand.
+// Which children does the ray meet before t_max, and where does it enter them? Along an axis on which the ray does not
+// move, `inverse` is infinite: a slab that the origin lies in gives −∞…∞, one on whose face it lies 0·∞, which is NaN;
+// lanes_min and lanes_max then return their second operand.
 static inline unsigned node_hits(const Node *node, const BoxRay *ray, float t_max, float enter[WIDTH])
 {
     unsigned hits = 0;
@@ -73,13 +73,13 @@ static inline uint32_t leaf_end(uint32_t leaf)
     return (leaf & FIRST_PACKET) + (leaf >> 28 & 7u) + 1;
 }
 
-static INLINE void leaf_closest(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray, bool rarely,
-                                LaneHits *best)
+static INLINE void leaf_closest(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray,
+                                Expected expected, LaneHits *best)
 {
     uint32_t end = leaf_end(leaf);
     for (uint32_t packet = leaf & FIRST_PACKET; packet < end; packet++)
         if (tree == &bvh->flats)
-            flats_closest(&bvh->flat_packets[packet], ray, rarely, best);
+            flats_closest(&bvh->flat_packets[packet], ray, expected, best);
         else
             spheres_closest(&bvh->sphere_packets[packet], ray, best);
 }
@@ -87,7 +87,7 @@ static INLINE void leaf_closest(const Bvh *bvh, const Tree *tree, uint32_t leaf,
 // Not inlined: within the loop of the traversal, too few registers are left for it.
 static NOINLINE void leaf_of_many(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray, LaneHits *best)
 {
-    leaf_closest(bvh, tree, leaf, ray, true, best);
+    leaf_closest(bvh, tree, leaf, ray, MOSTLY_MISSED, best);
 }
 
 // Asks for a child's memory early: a large tree does not fit into the caches, and waiting for it takes most
@@ -103,8 +103,7 @@ static inline void prefetch(const Tree *tree, uint32_t child)
     __builtin_prefetch(place + size - 1);
 }
 
-// Keeps the nearest of the children that were hit in hand and puts the others on the stack, nearer ones
-// above.
+// Returns the nearest of the children that were hit, and puts the others on the stack, nearer ones above.
 static inline uint32_t descend(const Tree *tree, const Node *node, unsigned hits, const float enter[WIDTH], Entry **top)
 {
     int lane = __builtin_ctz(hits);
@@ -161,15 +160,15 @@ static inline bool tree_closest(const Bvh *bvh, const Tree *tree, const Ray *ray
     }
 }
 
-// Both trees are a single leaf: all that there is, without a look at boxes.
+// Of a small scene, whose two trees are a leaf each: tests all of it, without boxes.
 static NOINLINE bool small_closest(const Bvh *bvh, const Ray *ray, float t_min, float t_max, BvhHit *hit)
 {
     PacketRay packets = packet_ray(ray, t_min, NO_PRIMITIVE);
     LaneHits best = {.t = float4_all(t_max)};
     if (bvh->spheres.root != NO_CHILD)
-        leaf_closest(bvh, &bvh->spheres, bvh->spheres.root, &packets, false, &best);
+        leaf_closest(bvh, &bvh->spheres, bvh->spheres.root, &packets, HIT_AS_OFTEN, &best);
     if (bvh->flats.root != NO_CHILD)
-        leaf_closest(bvh, &bvh->flats, bvh->flats.root, &packets, false, &best);
+        leaf_closest(bvh, &bvh->flats, bvh->flats.root, &packets, HIT_AS_OFTEN, &best);
     hit->t = t_max;
     return lanes_reduce(&best, hit);
 }
