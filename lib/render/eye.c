@@ -43,7 +43,7 @@ static Colour from_caustics(Eye *eye, const Hit *hit, Vec3 wo)
         return colour_grey(0.0f);
     size_t k = eye->gather.k;
     eye->gather.k = k / CAUSTIC_SHARE > CAUSTIC_LEAST ? k / CAUSTIC_SHARE : k < CAUSTIC_LEAST ? k : CAUSTIC_LEAST;
-    Colour radiance = hit->material->type == MATERIAL_DIFFUSE
+    Colour radiance = !material_kind(hit->material)->lobe
                           ? matt_from_map(eye, eye->caustic, &eye->caustic_cache, hit, hit->material, wo)
                           : steps.estimate_radiance(eye->caustic, hit, wo, &eye->gather);
     eye->gather.k = k;
@@ -75,7 +75,9 @@ static Colour indirect_lobe(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
 {
     // The source text's scheme leaks past the lobe as well, by a share that grows with the angle.
     float cos_o = vec3_dot(wo, hit->normal);
-    float lobe_share = eye->options->play.glossy == GLOSSY_PHONG ? 1.0f : fminf(0.5f * (1.0f + cos_o), 0.95f);
+    float lobe_share = !material_kind(hit->material)->cosine_lobe        ? 0.0f
+                       : eye->options->play.glossy == GLOSSY_SOURCE_TEXT ? fminf(0.5f * (1.0f + cos_o), 0.95f)
+                                                                         : 1.0f;
     float choice = rng_float(&eye->rng);
     float u, v;
     sampler_point(&eye->sampler, SAMPLER_LOBE + (uint32_t)carried.bounce, &u, &v);
@@ -96,10 +98,11 @@ static Colour rough_surface(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
         return steps.estimate_radiance(eye->rest, hit, wo, &eye->gather);
     Colour sum = direct_light(eye, hit, wo);
     sum = colour_add(sum, from_caustics(eye, hit, wo));
-    if (material->type == MATERIAL_DIFFUSE)
+    if (!material_kind(material)->lobe)
         return colour_add(sum, matt_from_map(eye, eye->rest, &eye->rest_cache, hit, material, wo));
     Material matt = *material;
     matt.type = MATERIAL_DIFFUSE;
+    matt.kind = NULL;
     Hit on_matt = *hit;
     on_matt.material = &matt;
     sum = colour_add(sum, matt_from_map(eye, eye->rest, &eye->rest_cache, &on_matt, material, wo));
@@ -172,15 +175,15 @@ static Colour trace(Eye *eye, const Ray *ray, EyeRay carried)
     eye->rays++;
     if (carried.bounce > eye->options->settings.depth || !scene_intersect(eye->scene, ray, &hit))
         return colour_grey(0.0f);
-    switch (hit.material->type) {
-    case MATERIAL_LIGHT:
+    const MaterialKind *kind = material_kind(hit.material);
+    switch (kind->optics) {
+    case OPTICS_LIGHT:
         return carried.sees_lights && hit.entering ? hit.material->radiance : colour_grey(0.0f);
-    case MATERIAL_DIFFUSE:
-    case MATERIAL_GLOSSY:
+    case OPTICS_ROUGH:
         return rough_surface(eye, &hit, vec3_negate(ray->direction), carried);
-    case MATERIAL_MIRROR:
-        return follow(eye, &hit, mirror_direction(ray->direction, hit.normal), hit.material->specular, carried);
-    case MATERIAL_GLASS:
+    case OPTICS_MIRROR:
+        return follow(eye, &hit, kind->turn(ray->direction, hit.normal), hit.material->specular, carried);
+    case OPTICS_GLASS:
         return glass_surface(eye, &hit, ray->direction, carried);
     }
     return colour_grey(0.0f);

@@ -6,6 +6,7 @@
 #include "render/radiance_cache.h"
 #include "render/render.h"
 #include "render/sampler.h"
+#include "scene/materials/mirror.h"
 
 // One thread's eye.
 typedef struct {
@@ -39,10 +40,5 @@ bool sample_rough(const Hit *hit, Vec3 wo, float lobe_share, float choice, float
 // reflectance is below 1). The library's own optics: pictures of the path tracer must not depend on a student's
 // steps.
 float glass_optics(const Hit *hit, Vec3 direction, float index, Vec3 *refracted);
-
-static inline Vec3 mirror_direction(Vec3 direction, Vec3 normal)
-{
-    return vec3_along(direction, normal, -2.0f * vec3_dot(direction, normal));
-}
 
 #endif

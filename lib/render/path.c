@@ -26,6 +26,21 @@ static Colour sample_glass(Eye *eye, const Hit *hit, Vec3 *direction, int *chann
     return colour_scale(factor, into * into);
 }
 
+// Draws the way on from a rough surface; its factor: BRDF, cosine and density. False when the draw fell below it.
+static bool sample_brdf(Eye *eye, const Hit *hit, Vec3 wo, Vec3 *wi, Colour *factor)
+{
+    float choice = rng_float(&eye->rng);
+    float u = rng_float(&eye->rng);
+    float v = rng_float(&eye->rng);
+    float pdf;
+    float lobe_share = material_kind(hit->material)->cosine_lobe ? 0.5f : 0.0f;
+    if (!sample_rough(hit, wo, lobe_share, choice, u, v, wi, &pdf))
+        return false;
+    Colour f = material_brdf(hit->material, eye->options->play.glossy, *wi, wo, hit->normal);
+    *factor = colour_scale(f, vec3_dot(*wi, hit->normal) / pdf);
+    return true;
+}
+
 Colour path_radiance(Eye *eye, Ray ray)
 {
     Colour sum = colour_grey(0.0f);
@@ -36,38 +51,34 @@ Colour path_radiance(Eye *eye, Ray ray)
         Hit hit;
         eye->rays++;
         if (!scene_intersect(eye->scene, &ray, &hit))
-            break;
+            return sum;
+        const MaterialKind *kind = material_kind(hit.material);
         Vec3 wo = vec3_negate(ray.direction);
         Colour factor = colour_grey(1.0f);
-        if (hit.material->type == MATERIAL_LIGHT) {
+        switch (kind->optics) {
+        case OPTICS_LIGHT:
             if (see_lights && hit.entering)
                 sum = colour_add(sum, colour_mul(throughput, hit.material->radiance));
-            break;
-        } else if (hit.material->type == MATERIAL_MIRROR) {
-            ray.direction = mirror_direction(ray.direction, hit.normal);
+            return sum;
+        case OPTICS_MIRROR:
+            ray.direction = kind->turn(ray.direction, hit.normal);
             factor = hit.material->specular;
-            see_lights = true;
-        } else if (hit.material->type == MATERIAL_GLASS) {
+            break;
+        case OPTICS_GLASS:
             factor = sample_glass(eye, &hit, &ray.direction, &channel);
-            see_lights = true;
-        } else {
+            break;
+        case OPTICS_ROUGH:
             sum = colour_add(sum, colour_mul(throughput, direct_light(eye, &hit, wo)));
-            float choice = rng_float(&eye->rng);
-            float u = rng_float(&eye->rng);
-            float v = rng_float(&eye->rng);
-            float pdf;
-            float lobe_share = hit.material->type == MATERIAL_GLOSSY ? 0.5f : 0.0f;
-            if (!sample_rough(&hit, wo, lobe_share, choice, u, v, &ray.direction, &pdf))
-                break;
-            Colour f = material_brdf(hit.material, eye->options->play.glossy, ray.direction, wo, hit.normal);
-            factor = colour_scale(f, vec3_dot(ray.direction, hit.normal) / pdf);
-            see_lights = false;
+            if (!sample_brdf(eye, &hit, wo, &ray.direction, &factor))
+                return sum;
+            break;
         }
+        see_lights = kind->optics != OPTICS_ROUGH;
         throughput = colour_mul(throughput, factor);
         if (bounce >= ROULETTE_FROM) {
             float survival = fminf(0.95f, colour_max(throughput));
             if (rng_float(&eye->rng) >= survival)
-                break;
+                return sum;
             throughput = colour_scale(throughput, 1.0f / survival);
         }
         ray.origin = hit.position;

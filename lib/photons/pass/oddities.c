@@ -13,7 +13,7 @@
 static const struct {
     const char *place;
     const char *steps[6];
-} sources[] = {
+} sources[MATERIAL_TYPES] = {
     [MATERIAL_DIFFUSE] = {"a diffuse surface", {"1.3", NULL}},
     [MATERIAL_GLOSSY] = {"a glossy surface", {"1.3", "2.1", "2.2", "2.3", "2.4", NULL}},
     [MATERIAL_MIRROR] = {"a mirror", {"1.1", NULL}},
@@ -49,7 +49,7 @@ static bool name_suspects(const char *const *ids, const StepState *states, char 
 static void describe_unsound(const UnsoundPaths *unsound, const StepState *states, char *text, size_t size)
 {
     int most = 0;
-    for (int i = 1; i <= MATERIAL_LIGHT; i++)
+    for (int i = 1; i < MATERIAL_TYPES; i++)
         if (unsound->at[i] > unsound->at[most])
             most = i;
     char who[96], length[32] = "no number (NaN)";

@@ -117,7 +117,7 @@ void unsound_paths_add(UnsoundPaths *sum, const UnsoundPaths *part)
     if (sum->total == 0)
         sum->length = part->length;
     sum->total += part->total;
-    for (int i = 0; i <= MATERIAL_LIGHT; i++)
+    for (int i = 0; i < MATERIAL_TYPES; i++)
         sum->at[i] += part->at[i];
 }
 

@@ -49,8 +49,8 @@ typedef struct {
 // Paths that ended because a step gave a direction not of unit length. Counted as escaped.
 typedef struct {
     long total;
-    long at[MATERIAL_LIGHT + 1]; // by the surface that they left; MATERIAL_LIGHT: as they were emitted
-    float length;                // of the first one's direction; NaN: it is no number
+    long at[MATERIAL_TYPES]; // by the surface that they left; MATERIAL_LIGHT: as they were emitted
+    float length;            // of the first one's direction; NaN: it is no number
 } UnsoundPaths;
 
 // A bag of stored photons.

@@ -1,4 +1,5 @@
 #include "photons/pass/trace_internal.h"
+#include "math/sample.h"
 #include "steps/steps.h"
 
 #include <stdlib.h>
@@ -108,9 +109,28 @@ void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
         trace->caustics += photon->path == PATH_CAUSTIC;
 }
 
+// A kind that no step is about: turned as by a mirror, or sent into the cosine hemisphere with its BRDF for a weight.
+static bool scatter_by_kind(Photon *photon, const Hit *hit, Rng *rng)
+{
+    const Material *material = hit->material;
+    Colour share = material->specular;
+    if (material_kind(material)->turn) {
+        photon->direction = material_kind(material)->turn(photon->direction, hit->normal);
+    } else {
+        float u = rng_float(rng);
+        float v = rng_float(rng);
+        Vec3 wi = vec3_negate(photon->direction);
+        photon->direction = sample_cosine(hit->normal, u, v);
+        share = colour_scale(material_brdf(material, GLOSSY_PHONG, wi, photon->direction, hit->normal), PI);
+    }
+    return steps.russian_roulette(&photon->power, share, rng);
+}
+
 bool photon_scatter_glossy(Photon *photon, const Hit *hit, Rng *rng)
 {
     const Material *material = hit->material;
+    if (!material_kind(material)->cosine_lobe)
+        return scatter_by_kind(photon, hit, rng);
     Colour total = colour_add(material->diffuse, material->specular);
     Colour arriving = photon->power;
     if (!steps.russian_roulette(&photon->power, total, rng))

@@ -27,7 +27,8 @@ bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit);
 void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit);
 
 // A glossy hit: roulette (step 1.4) with ρ_d + ρ_s, then the diffuse part (step 1.3) or the lobe (step 2.3 or 2.4),
-// chosen in proportion to the flux each would carry on. False: the photon is absorbed.
+// chosen in proportion to the flux each would carry on. False: the photon is absorbed. Materials that no step is about
+// come here, too, and scatter by their own rule.
 bool photon_scatter_glossy(Photon *photon, const Hit *hit, Rng *rng);
 
 // A glass hit by the white photon's mean index: Fresnel (step 3.2) decides between reflect (1.1) and refract (3.1).

@@ -76,16 +76,12 @@ static void add_flat(EdgeTable *table, const Flat *flat)
 
 static Rgba material_line(const Material *material)
 {
-    if (material->type == MATERIAL_LIGHT)
-        return COLOUR_OF_LIGHTS;
-    if (material->type == MATERIAL_GLASS)
-        return (Rgba){120, 215, 235, 150};
-    if (material->type == MATERIAL_MIRROR)
-        return (Rgba){200, 205, 225, 170};
-    Colour c = colour_add(material->diffuse, material->specular);
-    float most = fmaxf(colour_max(c), 1e-3f);
-    return (Rgba){(uint8_t)(70 + 120 * c.r / most), (uint8_t)(70 + 120 * c.g / most), (uint8_t)(70 + 120 * c.b / most),
-                  160};
+    const MaterialKind *kind = material_kind(material);
+    const uint8_t *base = kind->line;
+    Colour c = colour_scale(colour_add(material->diffuse, material->specular), kind->line_hue);
+    float most = fmaxf(colour_max(colour_add(material->diffuse, material->specular)), 1e-3f);
+    return (Rgba){(uint8_t)(base[0] + c.r / most), (uint8_t)(base[1] + c.g / most), (uint8_t)(base[2] + c.b / most),
+                  base[3]};
 }
 
 static void add_flats(const Scene *scene, Vertices *list)

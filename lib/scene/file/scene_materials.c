@@ -82,7 +82,8 @@ static bool build_glossy(const SceneLoader *loader, const MaterialEntry *entry, 
 static bool build_material(const SceneLoader *loader, const MaterialEntry *entry, Material *material)
 {
     snprintf(material->name, sizeof material->name, "%s", entry->name);
-    material->type = (MaterialType)entry->type;
+    material->kind = material_kinds[entry->type];
+    material->type = material->kind->type;
     for (int i = 0; i < loader->index; i++)
         if (strcmp(loader->entries->materials[i].name, entry->name) == 0)
             return loader_fault(loader, "name", "a material '%s' stands above already; expected another name",

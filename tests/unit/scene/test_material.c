@@ -140,6 +140,27 @@ static void simple_materials(void **state)
     assert_false(material_is_rough(&(Material){.type = MATERIAL_GLASS}));
 }
 
+// What a new kind leaves out is named here.
+static void every_kind_is_whole(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < material_kind_count; i++) {
+        const MaterialKind *kind = material_kinds[i];
+        const char *missing = !kind->name                                       ? "a name"
+                              : !kind->optics                                   ? "its optics"
+                              : !kind->albedo                                   ? "its albedo"
+                              : kind->line[3] == 0                              ? "a visible line"
+                              : kind->cosine_lobe && !kind->lobe                ? "its lobe"
+                              : (kind->optics == OPTICS_MIRROR) != !!kind->turn ? "its turn, or has one for nothing"
+                                                                                : NULL;
+        if (missing)
+            fail_msg("the material '%s' lacks %s", kind->name ? kind->name : "(the last of materials.def)", missing);
+        bool taught = i < MATERIAL_TYPES;
+        if (kind->type != (taught ? (MaterialType)i : MATERIAL_GLOSSY))
+            fail_msg("the material '%s' has the wrong type, or stands in the wrong place of materials.def", kind->name);
+    }
+}
+
 static void nothing_below_the_surface(void **state)
 {
     (void)state;
@@ -163,6 +184,7 @@ int main(void)
         cmocka_unit_test(albedo_is_the_integral_of_the_brdf),
         cmocka_unit_test(source_text_reflects_rho),
         cmocka_unit_test(simple_materials),
+        cmocka_unit_test(every_kind_is_whole),
         cmocka_unit_test(nothing_below_the_surface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

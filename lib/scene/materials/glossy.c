@@ -1,0 +1,103 @@
+// Lambert's reflection and a cosine lobe about the mirror direction.
+#include "scene/material.h"
+
+#include <math.h>
+
+static float lookup(const float *table, float cos_theta)
+{
+    float x = fminf(fmaxf(cos_theta, 0.0f), 1.0f) * (LOBE_TABLE_SIZE - 1);
+    int i = (int)x;
+    if (i >= LOBE_TABLE_SIZE - 1)
+        return table[LOBE_TABLE_SIZE - 1];
+    float f = x - (float)i;
+    return table[i] * (1.0f - f) + table[i + 1] * f;
+}
+
+float lobe_above_surface(const LobeTable *table, float cos_theta)
+{
+    return lookup(table->above, cos_theta);
+}
+
+float lobe_weighted_above_surface(const LobeTable *table, float cos_theta)
+{
+    return lookup(table->weighted, cos_theta);
+}
+
+// A ring of directions at angle alpha from the mirror direction, which is theta from the normal: its height above the
+// surface at azimuth phi is a + b·cosφ with a = cosα cosθ and b = sinα sinθ. Gives the azimuth's length with positive
+// height, and the integral of the height over it.
+static void ring_above(double cos_alpha, double cos_theta, double *length, double *height)
+{
+    double a = cos_alpha * cos_theta;
+    double b = sqrt((1.0 - cos_alpha * cos_alpha) * (1.0 - cos_theta * cos_theta));
+    double half = a >= b ? M_PI : acos(-a / b); // a ≥ 0: the lobe ends at α = 90°
+    *length = 2.0 * half;
+    *height = 2.0 * (half * a + sin(half) * b);
+}
+
+// ∫cosⁿα … dω with the ring's solid angle sinα dα dφ. The substitution cosα = x^(1/(n+1)) takes the lobe into the
+// measure: ∫cosⁿα g sinα dα = ∫₀¹ g dx/(n+1), smooth for any exponent. Midpoint rule, in y with x = 1−y² to tame the
+// root at α = 0.
+void lobe_table_fill(LobeTable *table, float exponent)
+{
+    const int steps = 512;
+    double above[LOBE_TABLE_SIZE] = {0.0};
+    double weighted[LOBE_TABLE_SIZE] = {0.0};
+    double n1 = (double)exponent + 1.0;
+    for (int s = 0; s < steps; s++) {
+        double y = (s + 0.5) / steps;
+        double cos_alpha = pow(1.0 - y * y, 1.0 / n1);
+        for (int i = 0; i < LOBE_TABLE_SIZE; i++) {
+            double length, height;
+            ring_above(cos_alpha, (double)i / (LOBE_TABLE_SIZE - 1), &length, &height);
+            above[i] += length * 2.0 * y;
+            weighted[i] += height * 2.0 * y;
+        }
+    }
+    for (int i = 0; i < LOBE_TABLE_SIZE; i++) {
+        table->above[i] = (float)(above[i] / (n1 * steps));
+        table->weighted[i] = (float)(weighted[i] / (n1 * steps));
+    }
+}
+
+// The lobe's BRDF for ρ_s = 1.
+static float lobe_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n)
+{
+    float cos_i = vec3_dot(n, wi);
+    Vec3 mirror = vec3_sub(vec3_scale(n, 2.0f * cos_i), wi);
+    float cos_alpha = vec3_dot(mirror, wo);
+    if (model == GLOSSY_PHONG)
+        return cos_alpha > 0.0f ? (material->exponent + 2.0f) / (2.0f * PI) * powf(cos_alpha, material->exponent)
+                                : 0.0f;
+    // The source text: where the diffuse draw fell on the mirror's side (probability (1+cosθ)/2) it became a lobe
+    // sample; elsewhere the draw stayed, with the density cosθ_o/π of Lambert.
+    if (cos_alpha <= 0.0f)
+        return 1.0f / PI;
+    float p = 0.5f * (1.0f + cos_i) * powf(cos_alpha, material->exponent) / lobe_above_surface(material->lobe, cos_i);
+    return p / vec3_dot(n, wo);
+}
+
+static Colour lobe(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n)
+{
+    return colour_scale(material->specular, lobe_brdf(material, model, wi, wo, n));
+}
+
+// Less than ρ_d + ρ_s by what the lobe loses below the surface.
+static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
+{
+    float above = 1.0f;
+    if (model == GLOSSY_PHONG)
+        above = (material->exponent + 2.0f) / (2.0f * PI) * lobe_weighted_above_surface(material->lobe, cos_wi);
+    return colour_add(material->diffuse, colour_scale(material->specular, above));
+}
+
+MATERIAL_KIND(glossy) = {
+    .name = "glossy",
+    .type = MATERIAL_GLOSSY,
+    .optics = OPTICS_ROUGH,
+    .cosine_lobe = true,
+    .albedo = albedo,
+    .lobe = lobe,
+    .line = {70, 70, 70, 160},
+    .line_hue = 120,
+};
