@@ -1,6 +1,7 @@
 #include "cli/cli.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 static const char help[] =
     "usage: photonlab steps [flags]\n"
@@ -49,6 +50,11 @@ int command_steps(int count, char **arguments)
     const StepInfo *step = step_find(hint);
     if (!step)
         return refuse_id(hint);
-    printf("%s\n", step->hints[level ? level - 1 : 0]);
+    Error error = {""};
+    char *text = step_hint(step, level ? level : 1, &error);
+    if (!text)
+        return report_error(&error);
+    printf("%s", text);
+    free(text);
     return 0;
 }

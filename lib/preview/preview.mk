@@ -8,10 +8,8 @@ $(PREVIEW_TESTS:tests/unit/%.c=$(BUILD)/tests/%): $(BUILD)/tests/%: $(BUILD)/obj
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/../..' -o $@ $(LDLIBS)
 
 # STAGE chooses the scene, where SCENE does not: one in which all of its steps play, mirror and glass of stage 1 too.
-PREVIEW_SCENE_1  = scenes/box_glass.yaml
-PREVIEW_SCENE_2  = scenes/box_glossy.yaml
-PREVIEW_SCENE_3  = scenes/box_dispersion.yaml
-PREVIEW_SCENE    = $(if $(filter undefined file,$(origin SCENE)),$(or $(PREVIEW_SCENE_$(or $(STAGE),1)),$(error STAGE=$(STAGE): expected $(sort $(patsubst PREVIEW_SCENE_%,%,$(filter PREVIEW_SCENE_%,$(.VARIABLES)))); lib/preview/preview.mk names the scene of each stage)),$(SCENE))
+STAGE_SCENES    := $(shell sed -n 's/^STAGE.\([0-9]*\), *"\(.*\)".*/\1=\2/p' lib/steps/steps.def)
+PREVIEW_SCENE    = $(if $(filter undefined file,$(origin SCENE)),$(or $(patsubst $(or $(STAGE),1)=%,%,$(filter $(or $(STAGE),1)=%,$(STAGE_SCENES))),$(error STAGE=$(STAGE): expected one of $(foreach s,$(STAGE_SCENES),$(firstword $(subst =, ,$(s)))))),$(SCENE))
 PREVIEW_SNAPSHOT = $(BUILD)/preview.png
 
 # How one saved file becomes one object: what `make` itself does, without asking make. Two previews may build the same one.

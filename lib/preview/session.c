@@ -95,10 +95,9 @@ static void tell_if_not_played(Session *session, const Recording *recording)
     if (!step || recording->states[step - step_table] != STEP_STUDENT || step_is_played(step, recording->play))
         return;
     char text[300];
-    const char *flag = strcmp(step->id, "3.5") == 0 ? "3.4" : step->id;
     snprintf(text, sizeof text,
              "%s is built, but another step plays in its place; make preview FLAGS=\"--steps %s\" plays it", step->id,
-             flag);
+             step_chosen_by(step)->id);
     tell(text);
     size_t length = strlen(session->notice);
     snprintf(session->notice + length, sizeof session->notice - length, "%s%s", length > 0 ? "\n" : "", text);

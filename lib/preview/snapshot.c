@@ -115,9 +115,10 @@ void snapshot_command(const PreviewOptions *options, const View *view, const Ses
     append_view(view, text, size);
     if (options->code)
         append(text, size, " --code %s", options->code);
-    if (options->play_is_given)
-        append(text, size, " --steps %s,%s", options->play.glossy == GLOSSY_PHONG ? "2.4" : "2.3",
-               options->play.loop ? "1.5" : "3.4");
+    if (options->play_is_given) {
+        append(text, size, " --steps ");
+        step_choice_print(options->play, text + strlen(text), size - strlen(text));
+    }
 }
 
 // Where a snapshot is drawn: without a display, or in a window that is not shown.

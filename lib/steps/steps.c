@@ -30,8 +30,7 @@ long redraw_cap_count(void)
     return redraw_caps;
 }
 
-// The directory that this library lies in, so that solutions are found from wherever the program is started.
-static void library_directory(char *directory, size_t size)
+void steps_library_directory(char *directory, size_t size)
 {
     Dl_info info;
     snprintf(directory, size, ".");
@@ -154,13 +153,13 @@ static bool check_student_dir(const char *student_dir, Error *error)
 bool steps_load(const char *student_dir, Error *error)
 {
     char library[2048];
-    library_directory(library, sizeof library);
+    steps_library_directory(library, sizeof library);
     if (student_dir && !check_student_dir(student_dir, error))
         return false;
     for (size_t i = 0; i < STEP_COUNT; i++)
         if (!load_step(i, student_dir, library, error))
             return false;
-    steps_play((StepChoice){GLOSSY_PHONG, false});
+    steps_play((StepChoice){0});
     return true;
 }
 
@@ -201,71 +200,4 @@ bool steps_load_several(const bool graded[STEP_COUNT], const char *objects, cons
         ok = !graded[i] || load_slot(&step_table[i], path, error);
     }
     return ok;
-}
-
-void steps_play(StepChoice choice)
-{
-    steps.scatter_glossy =
-        choice.glossy == GLOSSY_SOURCE_TEXT ? steps.scatter_glossy_source_text : steps.scatter_glossy_phong;
-}
-
-static StepState state_of(const char *id)
-{
-    for (size_t i = 0; i < STEP_COUNT; i++)
-        if (strcmp(step_table[i].id, id) == 0)
-            return step_states[i];
-    return STEP_REFERENCE;
-}
-
-StepChoice step_choice_for_student(void)
-{
-    bool source_text = state_of("2.3") == STEP_STUDENT && state_of("2.4") != STEP_STUDENT;
-    bool loop = state_of("1.5") == STEP_STUDENT && state_of("3.4") != STEP_STUDENT;
-    return (StepChoice){source_text ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG, loop};
-}
-
-bool step_is_played(const StepInfo *step, StepChoice choice)
-{
-    if (strcmp(step->id, "1.5") == 0)
-        return choice.loop;
-    if (strcmp(step->id, "3.4") == 0 || strcmp(step->id, "3.5") == 0)
-        return !choice.loop;
-    if (strcmp(step->id, "2.3") == 0)
-        return choice.glossy == GLOSSY_SOURCE_TEXT;
-    if (strcmp(step->id, "2.4") == 0)
-        return choice.glossy == GLOSSY_PHONG;
-    return true;
-}
-
-// Takes one word of the list; each of the two choices may be made once.
-static bool choose(const char *word, size_t length, StepChoice *choice, bool chosen[2])
-{
-    static const char *const names[] = {"2.4", "2.3", "3.4", "1.5"};
-    for (int i = 0; i < 4; i++) {
-        if (length != strlen(names[i]) || strncmp(word, names[i], length) != 0 || chosen[i / 2])
-            continue;
-        chosen[i / 2] = true;
-        if (i < 2)
-            choice->glossy = i == 0 ? GLOSSY_PHONG : GLOSSY_SOURCE_TEXT;
-        else
-            choice->loop = i == 3;
-        return true;
-    }
-    return false;
-}
-
-bool step_choice_parse(const char *text, StepChoice *choice, Error *error)
-{
-    *choice = (StepChoice){GLOSSY_PHONG, false};
-    bool chosen[2] = {false, false};
-    const char *word = text;
-    do {
-        size_t length = strcspn(word, ",");
-        if (!choose(word, length, choice, chosen))
-            return error_set(error,
-                             "--steps %s: no choice `%.*s`; expected 2.3 or 2.4, and 1.5 or 3.4, parted by a comma",
-                             text, (int)length, word);
-        word += length + (word[length] == ',');
-    } while (*word);
-    return true;
 }

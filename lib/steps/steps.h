@@ -6,36 +6,34 @@
 #ifndef PHOTONLAB_STEPS_STEPS_H
 #define PHOTONLAB_STEPS_STEPS_H
 
-#include "steps/1_diffuse_photon_map.h"
-#include "steps/2_glossy_lobe.h"
-#include "steps/3_colour_dispersion.h"
+#include "steps/steps.def" // the contracts
 
+#include "base/error.h"
+
+#include <stddef.h>
+
+// A row's parameters, as a prototype lists them.
+#define VALUE(type, name)               , type name
+#define CHANGED(type, name)             , type *name
+#define FILLED(type, name)              , type *name
+#define FILLED_ARRAY(type, name, count) , type name[count]
+#define GIVEN(type, name)               , type name
+#define RNG                             , Rng *rng
+#define REDRAWS
+#define STEP_BEHIND(none, ...) __VA_ARGS__
+#define STEP_PARAMETERS(...)   STEP_BEHIND(__VA_ARGS__)
+
+#define STEP(stage, number, symbol, title, anchor, pass, needs, reader, result, ...)                                   \
+    result (*symbol)(STEP_PARAMETERS(none __VA_ARGS__));
 typedef struct {
-    Vec3 (*reflect)(Vec3 direction, Vec3 normal);
-    Photon (*emit_photon)(const Light *light, Rng *rng);
-    Vec3 (*scatter_diffuse)(Vec3 normal, Rng *rng);
-    bool (*russian_roulette)(Colour *power, Colour reflectance, Rng *rng);
-    void (*trace_photon)(PhotonTrace *trace, Photon photon, Rng *rng);
-    Colour (*estimate_radiance)(const PhotonMap *map, const Hit *hit, Vec3 wo, Gather *gather);
-
-    Vec3 (*sample_lobe)(float exponent, Rng *rng);
-    Vec3 (*turn_to)(Vec3 local, Vec3 axis);
-    bool (*scatter_glossy_source_text)(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight);
-    bool (*scatter_glossy_phong)(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight);
-
-    bool (*refract)(Vec3 direction, Vec3 normal, float eta, Vec3 *refracted);
-    float (*fresnel)(float cos_i, float eta);
-    float (*refractive_index)(const Material *glass, PhotonColour colour);
-    void (*trace_photon_in_colour)(PhotonTrace *trace, Photon photon, Rng *rng);
-    int (*split_colour)(const Photon *photon, const Material *glass, Photon children[3]);
-
+#include "steps/steps.def"
     // Step 2.3 or 2.4, whichever is played; photon_scatter_glossy calls this one.
     bool (*scatter_glossy)(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight);
 } Steps;
 
 extern Steps steps;
 
-#define HINT_COUNT 3
+typedef enum { PHOTON_PASS, EYE_PASS } StepPass;
 
 typedef struct {
     const char *id;     // "1.3"
@@ -43,17 +41,35 @@ typedef struct {
     int stage;
     const char *file; // below solutions/ and exercises/, without ending
     const char *title;
-    const char *const *hints; // HINT_COUNT of them, each telling more than the one before
-    const char *chapter;      // of the course notes, with anchor
-    size_t slot;              // offset in Steps
+    const char *chapter; // of the course notes, with anchor
+    StepPass pass;       // when it plays
+    const char *needs;   // steps that it may call while it is graded alone, parted by blanks
+    size_t slot;         // offset in Steps
 } StepInfo;
 
-#define STEP_COUNT  15
-#define STAGE_COUNT 3 // the last step's stage
+#define STEP(stage, number, symbol, ...) STEP_##symbol,
+enum {
+#include "steps/steps.def"
+    STEP_COUNT
+};
+#define STAGE(number, scene) STAGE_##number,
+enum {
+#include "steps/steps.def"
+    STAGE_COUNT
+};
 extern const StepInfo step_table[STEP_COUNT];
 
 // The step of this id; NULL: there is none.
 const StepInfo *step_find(const char *id);
+
+// Is the id one of the list's words, which blanks or commas part? 1.1 is not in "1.10".
+bool step_is_listed(const char *list, const char *id);
+
+#define HINT_COUNT 3
+
+// One of its hints, each telling more than the one before: 1 points the way, 2 has the formula or the structure, 3 is
+// nearly the code. From lib/steps/hints/; to be freed. NULL: it cannot be read.
+char *step_hint(const StepInfo *step, int level, Error *error);
 
 typedef enum {
     STEP_REFERENCE,   // no object of the student: the solution plays
@@ -69,6 +85,9 @@ extern StepState step_states[STEP_COUNT];
 // student_dir is no directory, or holds a .so that is named like no step.
 bool steps_load(const char *student_dir, Error *error);
 
+// The directory that this library lies in, so that solutions and hints are found from wherever the program is started.
+void steps_library_directory(char *directory, size_t size);
+
 // For grading one step: its slot from `object`, the others from whatever solutions lie in `references`, laid out as
 // StepInfo.file with the ending .so. The graded step's own solution is never loaded; a slot without any solution ends
 // the program with a message when it is called.
@@ -77,19 +96,27 @@ bool steps_load_graded(const StepInfo *graded, const char *object, const char *r
 // The same for several steps together, each from objects/<its id>/step.so.
 bool steps_load_several(const bool graded[STEP_COUNT], const char *objects, const char *references, Error *error);
 
-// Which steps play where two do the same work: "2.3" or "2.4" for glossy surfaces, "1.5" or "3.4" for the photon's
-// life; several parted by commas. Unset: 2.4 and 3.4.
+// Which steps play where two do the same work, as the pairs of steps.def have it: "2.3" or "2.4" for glossy surfaces,
+// "1.5" or "3.4" for the photon's life; several parted by commas. Unset: 2.4 and 3.4, the later ones.
+#define PAIR(field, earlier, later) int field; // 1: the earlier one
 typedef struct {
-    GlossyModel glossy;
-    bool loop; // 1.5 in place of 3.4
+#include "steps/steps.def"
 } StepChoice;
 bool step_choice_parse(const char *text, StepChoice *choice, Error *error);
+void step_choice_print(StepChoice choice, char *text, size_t size); // as it is parsed
 
 // The choice that lets students see what they have so far: 1.5 or 2.3 where theirs is started, and 3.4 or 2.4 is not.
+StepChoice step_choice_for(const bool started[STEP_COUNT]);
 StepChoice step_choice_for_student(void);
 
 void steps_play(StepChoice choice);
 bool step_is_played(const StepInfo *step, StepChoice choice);
+
+// The one to name in --steps so that this step plays.
+const StepInfo *step_chosen_by(const StepInfo *step);
+
+// Does one play in the other's place?
+bool steps_are_paired(const StepInfo *step, const StepInfo *other);
 
 // What a stub calls: todo("1.3") marks the step as not started. Take the call away when you start. A name of its own
 // in the object tells a stub from code that merely has something called todo.

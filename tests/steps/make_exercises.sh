@@ -75,8 +75,13 @@ no_solution_code() {
          END { exit found }' "$1" "$2"
 }
 
-in_readme() {
-    grep -q "^| $2 |.*$3" "$1" || { echo "$1 has no row for it" && false; }
+# in_row FILE PATTERN: what is said about the step beside the step table.
+in_row() {
+    grep -q "$2" "$1" || { echo "$1 has no row for it" && false; }
+}
+
+has_hints() {
+    "$PROGRAM" steps --hint "$1" --level 3 && [ "$(grep -c '^----$' "lib/steps/hints/${2##*/}.txt")" = 2 ]
 }
 
 # build COMPILER FILE OBJECT; flags fall apart into words.
@@ -103,7 +108,11 @@ check_step() {
     verdict "$id stub: pristine copy" same_file "$work/stubs/$file" "$pristine/$file"
     verdict "$id stub: is marked as not started" calls_todo_once "exercises/$file" "$id"
     verdict "$id stub: holds no line of the solution" no_solution_code "solutions/$file" "exercises/$file"
-    verdict "$id README: is in its stage's table" in_readme "exercises/${file%/*}/README.md" "$id" "${file##*/}"
+    verdict "$id README: is in its stage's table" in_row "exercises/${file%/*}/README.md" "^| ${id/./\\.} |.*${file##*/}"
+    verdict "$id README: is in the course's table" in_row README.md "^| ${id%.*} .*[| ]${id/./\\.} "
+    verdict "$id README: its stage is in the exercises' table" in_row exercises/README.md "^| \[${id%.*} .*(${file%/*}/README.md)"
+    verdict "$id contract: stands in its stage's header" in_row "lib/steps/${file%/*}.h" "^// ${id/./\\.}  "
+    verdict "$id hints: three parts" has_hints "$id" "${file%.c}"
     for cc in gcc clang; do
         mkdir -p "$work/$cc/${file%/*}"
         verdict "$id stub: $cc builds it without a warning" build $cc "exercises/$file" "$work/$cc/${file%.c}.so"
@@ -133,6 +142,9 @@ check() {
         file=${file#"$pristine/"}
         file=${file#exercises/}
         [ -e "$work/stubs/$file" ] || bad "exercises/$file: no solution gives it"
+    done
+    for file in lib/steps/hints/*.txt; do
+        [ -e "$(echo solutions/*/"$(basename "$file" .txt)".c)" ] || bad "$file: hints for no step"
     done
     for file in "$work"/stubs/*/*.c; do
         check_step "${file#"$work/stubs/"}"

@@ -89,8 +89,6 @@ typedef struct {
 // The checks of one step.
 typedef struct {
     const char *id;
-    const char *needs; // steps that it may call while it is called alone, parted by blanks
-    const char *twins; // steps that do the same work and so are kept out of its sight
     const Check *checks;
     const int *count;
 } StepChecks;

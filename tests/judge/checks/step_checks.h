@@ -1,32 +1,18 @@
-// Every step's checks, one array a step; step_checks.c puts them in order.
+// Every step's checks, one array a step: tests/steps/<stage>/<id>_<symbol>.c; step_checks.c puts them in order.
 #ifndef PHOTONLAB_STEPS_STEP_CHECKS_H
 #define PHOTONLAB_STEPS_STEP_CHECKS_H
 
 #include "judge/checks/check.h"
 #include "judge/checks/statistics.h"
 
-#define DECLARE_CHECKS(name)                                                                                           \
-    extern const Check name##_checks[];                                                                                \
-    extern const int name##_check_count;
 #define DEFINE_CHECKS(name, ...)                                                                                       \
     const Check name##_checks[] = {__VA_ARGS__};                                                                       \
     const int name##_check_count = (int)(sizeof name##_checks / sizeof *name##_checks);
 
-DECLARE_CHECKS(reflect)                    // 1_reflect.c
-DECLARE_CHECKS(emit_photon)                // 1_emit_photon.c
-DECLARE_CHECKS(scatter_diffuse)            // 1_scatter_diffuse.c
-DECLARE_CHECKS(russian_roulette)           // 1_russian_roulette.c
-DECLARE_CHECKS(trace_photon)               // 1_trace_photon.c
-DECLARE_CHECKS(estimate_radiance)          // 1_estimate_radiance.c
-DECLARE_CHECKS(sample_lobe)                // 2_sample_lobe.c
-DECLARE_CHECKS(turn_to)                    // 2_turn_to.c
-DECLARE_CHECKS(scatter_glossy_source_text) // 2_scatter_glossy_source_text.c
-DECLARE_CHECKS(scatter_glossy_phong)       // 2_scatter_glossy_phong.c
-DECLARE_CHECKS(refract)                    // 3_refract.c
-DECLARE_CHECKS(fresnel)                    // 3_fresnel.c
-DECLARE_CHECKS(refractive_index)           // 3_refractive_index.c
-DECLARE_CHECKS(trace_photon_in_colour)     // 3_trace_photon_in_colour.c
-DECLARE_CHECKS(split_colour)               // 3_split_colour.c
+#define STEP(stage, number, symbol, ...)                                                                               \
+    extern const Check symbol##_checks[];                                                                              \
+    extern const int symbol##_check_count;
+#include "steps/steps.def"
 
 // The picture of the step's stage, one array a set of thresholds (pictures.c).
 void plan_picture_1(Plan *plan);

@@ -35,8 +35,6 @@ typedef struct {
 void grade_step(const GradeOptions *options, const StepInfo *step, StepResult *result);
 void step_result_free(StepResult *result);
 
-const StepChecks *checks_of(const char *id);
-
 // Runs the cases in the sandbox. `numbers` gets one entry a case (those never reached: NULL); *storage owns them.
 // STATUS_PASS when all went through.
 Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, char *const *lines, size_t count,

@@ -6,18 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_listed(const char *list, const char *id)
-{
-    const char *found = list ? strstr(list, id) : NULL;
-    return found != NULL;
-}
-
 // Which solutions may be in the probe's sight: never the step's own, nor one that does the same work.
-static bool is_visible(const StepChecks *checks, const StepInfo *step, const StepInfo *other, bool scene)
+static bool is_visible(const StepInfo *step, const StepInfo *other, bool scene)
 {
-    if (other == step || is_listed(checks->twins, other->id))
-        return false;
-    return scene || is_listed(checks->needs, other->id);
+    return other != step && !steps_are_paired(step, other) && (scene || step_is_listed(step->needs, other->id));
 }
 
 // What the student's code printed: all but the line that the probe leaves when it crashes.
@@ -48,7 +40,7 @@ static void make_job(const GradeOptions *options, const StepInfo *step, bool sce
     if (scene)
         probe_job_show(job, "%s/tests/steps/scenes", options->root);
     for (size_t i = 0; i < STEP_COUNT; i++)
-        if (is_visible(checks_of(step->id), step, &step_table[i], scene))
+        if (is_visible(step, &step_table[i], scene))
             probe_job_show(job, "%s/solutions/%s.so", options->build, step_table[i].file);
 }
 

@@ -21,37 +21,28 @@ const ScatterStage scatter_stages[STAGE_COUNT] = {
 // Who plays: the student's steps by their place in the table.
 typedef struct {
     bool student[STEP_COUNT], hide[STEP_COUNT];
-    char list[100];   // "2.1,2.4"
-    const char *play; // "2.4,3.4"
+    char list[100]; // "2.1,2.4"
+    char play[40];  // "2.4,3.4"
 } Cast;
 
-static size_t place_of(const char *id)
-{
-    return (size_t)(step_find(id) - step_table);
-}
-
-// As step_choice_for_student chooses: 1.5 or 2.3 where the stage has it and nothing that comes after it.
+// The stage's steps that are to be had and play in a photon pass; of two that do the same work, one.
 static void choose_cast(int stage, const StepResult *graded, int count, Cast *cast)
 {
-    *cast = (Cast){.play = "2.4,3.4"};
+    *cast = (Cast){.list = ""};
     for (int i = 0; i < count; i++)
         if (graded[i].step->stage == stage && graded[i].playable && !graded[i].hidden)
-            cast->student[graded[i].step - step_table] = true;
-    cast->student[place_of("1.6")] = false; // looks at photons when all are at rest
-    if (cast->student[place_of("1.5")])
-        cast->play = "2.4,1.5";
-    if (cast->student[place_of("2.4")])
-        cast->student[place_of("2.3")] = false;
-    if (cast->student[place_of("2.3")])
-        cast->play = "2.3,3.4";
+            cast->student[graded[i].step - step_table] = graded[i].step->pass == PHOTON_PASS;
+    StepChoice choice = step_choice_for(cast->student);
+    step_choice_print(choice, cast->play, sizeof cast->play);
     for (size_t i = 0; i < STEP_COUNT; i++) {
+        cast->student[i] = cast->student[i] && step_is_played(&step_table[i], choice);
         if (!cast->student[i])
             continue;
         snprintf(cast->list + strlen(cast->list), sizeof cast->list - strlen(cast->list), "%s%s",
                  *cast->list ? "," : "", step_table[i].id);
         cast->hide[i] = true;
         for (size_t j = 0; j < STEP_COUNT; j++) // nor may it see what does the same work
-            cast->hide[j] = cast->hide[j] || strstr(step_checks[i].twins, step_table[j].id);
+            cast->hide[j] = cast->hide[j] || steps_are_paired(&step_table[i], &step_table[j]);
     }
 }
 

@@ -219,12 +219,18 @@ static void split_colour_once(void **state)
     assert_memory_equal(&children[0].power, &white.power, sizeof(Colour));
 }
 
+// 1.10 comes after 1.9.
+static int number_of(const StepInfo *step)
+{
+    return 1000 * step->stage + atoi(strchr(step->id, '.') + 1);
+}
+
 static void table_is_in_order(void **state)
 {
     (void)state;
     assert_int_equal(step_table[0].stage, 1);
     for (int i = 1; i < STEP_COUNT; i++) {
-        assert_true(strcmp(step_table[i - 1].id, step_table[i].id) < 0);
+        assert_true(number_of(&step_table[i - 1]) < number_of(&step_table[i]));
         assert_in_range(step_table[i].stage - step_table[i - 1].stage, 0, 1);
     }
     assert_int_equal(step_table[STEP_COUNT - 1].stage, STAGE_COUNT);
@@ -232,9 +238,44 @@ static void table_is_in_order(void **state)
         assert_ptr_equal(step_find(step_table[i].id), &step_table[i]);
 }
 
+static void an_id_is_no_part_of_another(void **state)
+{
+    (void)state;
+    assert_true(step_is_listed("1.10 2.1", "1.10") && step_is_listed("1.10,2.1", "2.1"));
+    assert_false(step_is_listed("1.10 12.1", "1.1") || step_is_listed("1.10 12.1", "2.1") || step_is_listed("", "1.1"));
+}
+
+// What plays in the place of what, and what `--steps` makes of it.
+static void pairs_of_steps(void **state)
+{
+    (void)state;
+    StepChoice choice;
+    Error error = {""};
+    char text[40];
+    assert_true(step_choice_parse("1.5", &choice, &error));
+    step_choice_print(choice, text, sizeof text);
+    assert_string_equal(text, "2.4,1.5");
+    assert_true(step_is_played(step_find("1.5"), choice) && !step_is_played(step_find("3.5"), choice));
+    assert_ptr_equal(step_chosen_by(step_find("3.5")), step_find("3.4"));
+    assert_ptr_equal(step_chosen_by(step_find("2.1")), step_find("2.1"));
+    assert_true(steps_are_paired(step_find("3.5"), step_find("1.5")));
+    assert_false(steps_are_paired(step_find("3.5"), step_find("3.4")) ||
+                 steps_are_paired(step_find("1.5"), step_find("2.4")));
+    assert_false(step_choice_parse("3.4,1.5", &choice, &error));
+    assert_string_equal(error.message,
+                        "--steps 3.4,1.5: no choice `1.5`; expected 2.3 or 2.4, and 1.5 or 3.4, parted by "
+                        "a comma");
+    bool started[STEP_COUNT] = {false};
+    started[STEP_trace_photon] = started[STEP_scatter_glossy_source_text] = started[STEP_scatter_glossy_phong] = true;
+    step_choice_print(step_choice_for(started), text, sizeof text);
+    assert_string_equal(text, "2.4,1.5");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_id_is_no_part_of_another),
+        cmocka_unit_test(pairs_of_steps),
         cmocka_unit_test(table_is_in_order),
         cmocka_unit_test(reflect_mirrors),
         cmocka_unit_test(emit_photon_covers_the_light),
