@@ -117,9 +117,12 @@ static void print_cost(double seconds)
 static bool report(const Arguments *a, double seconds, const StepResult *results, int count, const StageResult *stages,
                    Error *error)
 {
-    bool sandboxed = a->grade.sandbox != SANDBOX_NONE;
-    ReportHead head = {a->grade.code, sandbox_name(a->grade.sandbox), sandboxed, seconds};
-    return !a->report || report_json_write(a->report, &head, results, count, stages, error);
+    Report head = {.directory = a->report,
+                   .submission = a->grade.code,
+                   .sandbox = sandbox_name(a->grade.sandbox),
+                   .credit = a->grade.sandbox != SANDBOX_NONE,
+                   .seconds = seconds};
+    return !a->report || report_json_write(&head, results, count, stages, error);
 }
 
 static int run(Arguments *a, const PointsTable *points, StepResult *results)

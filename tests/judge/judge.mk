@@ -3,7 +3,7 @@
 JUDGE         = $(BUILD)/judge
 REPORT_WORDS  = tests/judge/report/text.c tests/judge/report/status.c
 JUDGE_SOURCES := $(filter-out %/test_sandbox.c,$(wildcard tests/judge/*.c) $(call find_c,$(addprefix tests/judge/,checks grade sandbox scatter submission) tests/steps)) \
-                 $(REPORT_WORDS)
+                 $(REPORT_WORDS) $(addprefix tests/judge/report/,fields.c report_file.c words.c)
 JUDGE_LIBS    = $(or $(if $(PKG),$(shell pkg-config --libs gsl jansson libseccomp 2>/dev/null)),-lgsl -lgslcblas -ljansson -lseccomp)
 
 $(JUDGE): $(call object,$(JUDGE_SOURCES)) $(LIBRARY)

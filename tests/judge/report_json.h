@@ -2,16 +2,11 @@
 #ifndef PHOTONLAB_JUDGE_REPORT_JSON_H
 #define PHOTONLAB_JUDGE_REPORT_JSON_H
 
+#include "judge/report/report.h"
 #include "judge/scatter/scatter.h"
 
-typedef struct {
-    const char *submission, *sandbox;
-    bool credit;
-    double seconds;
-} ReportHead;
-
-// Writes directory/report.json and directory/pictures/*.pfm. `stages`: STAGE_COUNT of them; see print_results.
-bool report_json_write(const char *directory, const ReportHead *head, const StepResult *results, int count,
-                       const StageResult *stages, Error *error);
+// Writes report->directory/report.json and the pictures below it. The report holds directory, submission, sandbox, credit
+// and seconds. `stages`: STAGE_COUNT of them; see print_results.
+bool report_json_write(Report *report, const StepResult *results, int count, const StageResult *stages, Error *error);
 
 #endif

@@ -1,146 +1,211 @@
-#include "fields.h"
+#include "judge/report/fields.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-static const char *kind_of(const json_t *value)
+static json_t *number_json(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null(); // JSON has no NaN
+}
+
+static void *pointer_at(const void *place)
+{
+    void *pointer;
+    memcpy(&pointer, place, sizeof pointer);
+    return pointer;
+}
+
+static json_t *list_json(const Field *field, const void *elements, size_t count)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(list, field->kind == FIELD_VALUES
+                                        ? number_json(((const double *)elements)[i])
+                                        : fields_write(field->shape, (const char *)elements + i * field->shape->size));
+    return list;
+}
+
+// Students' code prints what it likes.
+static json_t *text_json(const char *text, size_t most)
+{
+    char *clean = text_clean(text, strlen(text), most);
+    json_t *string = json_string(clean ? clean : "");
+    free(clean);
+    return string;
+}
+
+static json_t *field_json(const Field *field, const char *from)
+{
+    const void *at = from + field->at;
+    switch (field->kind) {
+    case FIELD_TEXT:
+    case FIELD_PATH:
+        return text_json(pointer_at(at), (size_t)field->largest);
+    case FIELD_TRUTH:
+        return json_boolean(*(const bool *)at);
+    case FIELD_WHOLE:
+        return json_integer(*(const int *)at);
+    case FIELD_NUMBER:
+    case FIELD_MAYBE:
+        return number_json(*(const double *)at);
+    case FIELD_STATUS:
+        return json_string(status_table[*(const Status *)at].name);
+    case FIELD_OBJECT:
+        return pointer_at(at) ? fields_write(field->shape, at) : json_null();
+    case FIELD_VALUES:
+    case FIELD_LIST:
+        return list_json(field, pointer_at(at), *(const size_t *)(const void *)(from + field->count_at));
+    }
+    return NULL;
+}
+
+json_t *fields_write(const Shape *shape, const void *from)
+{
+    json_t *object = json_object();
+    for (size_t i = 0; i < shape->count; i++)
+        json_object_set_new(object, shape->fields[i].name, field_json(&shape->fields[i], from));
+    return object;
+}
+
+static void unexpected(Error *error, const char *path, const char *expected, const json_t *value)
 {
     static const char *const kinds[] = {"an object", "a list", "a text", "a number",
                                         "a number",  "true",   "false",  "null"};
-    return value ? kinds[json_typeof(value)] : "nothing";
+    error_set(error, "report.json: %s: expected %s; found %s", path, expected,
+              value ? kinds[json_typeof(value)] : "nothing");
 }
 
-static void unexpected(Fields *fields, const char *name, const char *expected, const json_t *value)
+// Pictures lie below the report: a path that leads elsewhere would carry a file of this machine into the page.
+static bool is_below(const char *path)
 {
-    error_set(fields->error, "report.json: %s%s%s: expected %s; found %s", fields->path, *fields->path ? "." : "", name,
-              expected, kind_of(value));
+    return path[0] != '/' && strcmp(path, "..") != 0 && strncmp(path, "../", 3) != 0 && !strstr(path, "/../");
 }
 
-static const json_t *take(Fields *fields, const char *name)
+static const char *read_text(const Field *field, const json_t *value, const char *path, Report *report, Error *error)
 {
-    fields->taken++;
-    return json_object_get(fields->object, name);
-}
-
-bool fields_good(const Fields *fields)
-{
-    return fields->error->message[0] == '\0';
-}
-
-bool fields_end(Fields *fields)
-{
-    if (fields_good(fields) && json_object_size(fields->object) != fields->taken)
-        error_set(fields->error, "report.json: %s: expected %zu fields; found %zu",
-                  *fields->path ? fields->path : "the whole", fields->taken, json_object_size(fields->object));
-    return fields_good(fields);
-}
-
-const char *field_text(Fields *fields, const char *name, size_t most)
-{
-    const json_t *value = take(fields, name);
-    if (!json_is_string(value)) {
-        unexpected(fields, name, "a text", value);
-        return "";
-    }
-    char *clean = text_clean(json_string_value(value), json_string_length(value), most);
-    if (!clean) {
-        error_set(fields->error, "report.json: no memory for its texts");
-        return "";
-    }
-    size_t size = strlen(clean) + 1;
-    char *kept = memcpy(report_keep(fields->report, size), clean, size);
+    const char *text = json_string_value(value);
+    char *clean = text ? text_clean(text, json_string_length(value), (size_t)field->largest) : NULL;
+    if (!text)
+        unexpected(error, path, "a text", value);
+    else if (!clean)
+        error_set(error, "report.json: no memory for its texts");
+    else if (field->kind == FIELD_PATH && (strlen(clean) < (size_t)field->least || !is_below(clean)))
+        error_set(error, "report.json: %s: expected a path below the report's directory; found \"%s\"", path, clean);
+    size_t size = clean ? strlen(clean) + 1 : 1;
+    char *kept = memcpy(report_keep(report, size), clean ? clean : "", size);
     free(clean);
     return kept;
 }
 
-bool field_truth(Fields *fields, const char *name)
+static double read_number(const Field *field, const json_t *value, const char *path, Error *error)
 {
-    const json_t *value = take(fields, name);
-    if (!json_is_boolean(value))
-        unexpected(fields, name, "true or false", value);
-    return json_is_true(value);
-}
-
-double field_number(Fields *fields, const char *name, double least, double largest)
-{
-    const json_t *value = take(fields, name);
     double number = json_number_value(value);
     if (!json_is_number(value))
-        unexpected(fields, name, "a number", value);
-    else if (!(number >= least && number <= largest))
-        error_set(fields->error, "report.json: %s%s%s: expected %g to %g; found %g", fields->path,
-                  *fields->path ? "." : "", name, least, largest, number);
-    return number;
+        unexpected(error, path, "a number", value);
+    else if (field->kind == FIELD_WHOLE && number != floor(number))
+        unexpected(error, path, "a whole number", value);
+    else if (!(number >= field->least && number <= field->largest))
+        error_set(error, "report.json: %s: expected %g to %g; found %g", path, field->least, field->largest, number);
+    else
+        return number;
+    return field->least;
 }
 
-double field_number_or_null(Fields *fields, const char *name)
+static double read_maybe(const json_t *value, const char *path, const char *expected, Error *error)
 {
-    const json_t *value = take(fields, name);
-    if (json_is_number(value))
-        return json_number_value(value);
-    if (!json_is_null(value))
-        unexpected(fields, name, "a number or null", value);
-    return (double)NAN;
+    if (!json_is_number(value) && !json_is_null(value))
+        unexpected(error, path, expected, value);
+    return json_is_number(value) ? json_number_value(value) : (double)NAN;
 }
 
-Status field_status(Fields *fields, const char *name)
+static Status read_status(const json_t *value, const char *path, Error *error)
 {
-    const json_t *value = take(fields, name);
     for (int i = 0; json_is_string(value) && i < STATUSES; i++)
         if (strcmp(json_string_value(value), status_table[i].name) == 0)
             return (Status)i;
-    unexpected(fields, name, "pass, fail, error, todo or skip", value);
+    unexpected(error, path, "pass, fail, error, todo or skip", value);
     return STATUS_SKIP;
 }
 
-const json_t *field_array(Fields *fields, const char *name, size_t most, size_t *count)
+static void *read_list(const Field *field, const json_t *value, const char *path, size_t *count, Report *report,
+                       Error *error)
 {
-    const json_t *value = take(fields, name);
-    *count = 0;
+    size_t each = field->shape ? field->shape->size : sizeof(double);
+    *count = json_array_size(value);
     if (!json_is_array(value))
-        unexpected(fields, name, "a list", value);
-    else if (json_array_size(value) > most)
-        error_set(fields->error, "report.json: %s%s%s: expected at most %zu entries; found %zu", fields->path,
-                  *fields->path ? "." : "", name, most, json_array_size(value));
-    else
-        *count = json_array_size(value);
-    return value;
-}
-
-const double *field_numbers(Fields *fields, const char *name, size_t most, size_t *count)
-{
-    const json_t *array = field_array(fields, name, most, count);
-    double *numbers = report_keep(fields->report, (*count + 1) * sizeof *numbers);
+        unexpected(error, path, "a list", value);
+    else if (*count > (size_t)field->largest)
+        error_set(error, "report.json: %s: expected at most %g entries; found %zu", path, field->largest, *count);
+    if (error->message[0])
+        *count = 0;
+    char *elements = report_keep(report, (*count + 1) * each), place[160];
     for (size_t i = 0; i < *count; i++) {
-        const json_t *value = json_array_get(array, i);
-        if (!json_is_number(value) && !json_is_null(value))
-            unexpected(fields, name, "numbers or null", value);
-        numbers[i] = json_is_number(value) ? json_number_value(value) : (double)NAN;
+        const json_t *element = json_array_get(value, i);
+        snprintf(place, sizeof place, "%s[%zu]", path, i);
+        if (field->shape)
+            fields_read(field->shape, element, place, elements + i * each, report, error);
+        else
+            ((double *)(void *)elements)[i] = read_maybe(element, path, "numbers or null", error);
     }
-    return numbers;
+    return elements;
 }
 
-static Fields inside_of(Fields *fields, const json_t *object)
+static void read_field(const Field *field, const json_t *value, const char *path, char *to, Report *report,
+                       Error *error)
 {
-    return (Fields){.report = fields->report, .object = object, .error = fields->error};
+    void *at = to + field->at, *pointer = NULL;
+    switch (field->kind) {
+    case FIELD_TEXT:
+    case FIELD_PATH:
+        *(const char **)at = read_text(field, value, path, report, error);
+        break;
+    case FIELD_TRUTH:
+        if (!json_is_boolean(value))
+            unexpected(error, path, "true or false", value);
+        *(bool *)at = json_is_true(value);
+        break;
+    case FIELD_WHOLE:
+        *(int *)at = (int)read_number(field, value, path, error);
+        break;
+    case FIELD_NUMBER:
+        *(double *)at = read_number(field, value, path, error);
+        break;
+    case FIELD_MAYBE:
+        *(double *)at = read_maybe(value, path, "a number or null", error);
+        break;
+    case FIELD_STATUS:
+        *(Status *)at = read_status(value, path, error);
+        break;
+    case FIELD_OBJECT:
+        if (json_is_object(value))
+            fields_read(field->shape, value, path, at, report, error);
+        else if (!json_is_null(value))
+            unexpected(error, path, "an object or null", value);
+        break;
+    case FIELD_VALUES:
+    case FIELD_LIST:
+        pointer = read_list(field, value, path, (size_t *)(void *)(to + field->count_at), report, error);
+        memcpy(at, &pointer, sizeof pointer);
+        break;
+    }
 }
 
-bool field_object(Fields *fields, const char *name, Fields *inside)
+bool fields_read(const Shape *shape, const json_t *object, const char *path, void *to, Report *report, Error *error)
 {
-    const json_t *value = take(fields, name);
-    *inside = inside_of(fields, value);
-    snprintf(inside->path, sizeof inside->path, "%.80s%s%s", fields->path, *fields->path ? "." : "", name);
-    if (!json_is_object(value) && !json_is_null(value))
-        unexpected(fields, name, "an object or null", value);
-    return json_is_object(value) && fields_good(fields);
-}
-
-Fields fields_of_element(Fields *fields, const char *name, const json_t *array, size_t i)
-{
-    const json_t *value = json_array_get(array, i);
-    Fields inside = inside_of(fields, value);
-    snprintf(inside.path, sizeof inside.path, "%.60s%s%s[%zu]", fields->path, *fields->path ? "." : "", name, i);
-    if (!json_is_object(value))
-        error_set(fields->error, "report.json: %s: expected an object; found %s", inside.path, kind_of(value));
-    return inside;
+    char place[120];
+    if (!json_is_object(object))
+        unexpected(error, path, "an object", object);
+    for (size_t i = 0; i < shape->count && !error->message[0]; i++) {
+        const Field *field = &shape->fields[i];
+        snprintf(place, sizeof place, "%.80s%s%s", path, *path ? "." : "", field->name);
+        read_field(field, json_object_get(object, field->name), place, to, report, error);
+    }
+    size_t found = json_object_size(object);
+    if (found != shape->count)
+        error_set(error, "report.json: %s: expected %zu fields; found %zu", *path ? path : "the whole", shape->count,
+                  found);
+    if (!error->message[0] && shape->check)
+        shape->check(to, path, error);
+    return !error->message[0];
 }

@@ -1,37 +1,47 @@
-// Fields out of JSON objects, each of a known type; what is wrong is told with the field's path.
+// Structs as JSON objects, by one table of their fields for writing and reading: what the judge writes is what is read.
 #ifndef PHOTONLAB_JUDGE_REPORT_FIELDS_H
 #define PHOTONLAB_JUDGE_REPORT_FIELDS_H
 
-#include "report.h"
+#include "judge/report/report.h"
 
 #include <jansson.h>
 
-// The object being read, and where it lies: "steps[3].checks[0]". After the first error the rest gives zeros and empty
-// texts, so that a reader asks once, at its end.
+typedef enum {
+    FIELD_TEXT,   // const char *, cleaned, of at most `largest` bytes
+    FIELD_PATH,   // the same, a path below the report's directory, of at least `least` bytes
+    FIELD_TRUTH,  // bool
+    FIELD_WHOLE,  // int from `least` to `largest`
+    FIELD_NUMBER, // double from `least` to `largest`
+    FIELD_MAYBE,  // double, NaN for null
+    FIELD_STATUS, // Status
+    FIELD_VALUES, // const double *, NaN for null, and size_t: how many, at most `largest`
+    FIELD_OBJECT, // a struct of the given shape; null when its first member, a pointer, is NULL
+    FIELD_LIST    // const struct *, and size_t: how many, at most `largest`
+} FieldKind;
+
+typedef struct Shape Shape;
+
 typedef struct {
-    Report *report;
-    const json_t *object;
-    char path[120];
-    size_t taken; // fields read so far
-    Error *error; // set: something was wrong
-} Fields;
+    const char *name;
+    FieldKind kind;
+    size_t at; // where in the struct
+    double least, largest;
+    size_t count_at;
+    const Shape *shape;
+} Field;
 
-bool fields_good(const Fields *fields);
-// False, with an error, when the object has fields that nobody took, or something was wrong before.
-bool fields_end(Fields *fields);
+struct Shape {
+    size_t size; // of the struct
+    const Field *fields;
+    size_t count;
+    void (*check)(const void *object, const char *path, Error *error); // once all fields are good; NULL: no more to say
+};
+#define FIELD_COUNT(fields) (sizeof(fields) / sizeof *(fields))
 
-const char *field_text(Fields *fields, const char *name, size_t most); // cleaned; of at most `most` bytes
-bool field_truth(Fields *fields, const char *name);
-double field_number(Fields *fields, const char *name, double least, double largest);
-double field_number_or_null(Fields *fields, const char *name); // null: NaN
-Status field_status(Fields *fields, const char *name);
-// Its elements by json_array_get; *count of them, at most `most`.
-const json_t *field_array(Fields *fields, const char *name, size_t most, size_t *count);
-// Numbers, null for NaN.
-const double *field_numbers(Fields *fields, const char *name, size_t most, size_t *count);
-// The object inside this one; false when it is null, or when something is wrong.
-bool field_object(Fields *fields, const char *name, Fields *inside);
-// Element i of the array of that name.
-Fields fields_of_element(Fields *fields, const char *name, const json_t *array, size_t i);
+json_t *fields_write(const Shape *shape, const void *from);
+
+// Reads every field, and no other may be there. The first thing that is wrong goes into the error, with its path:
+// "report.json: steps[3].checks[0].p: expected a number or null; found a text". What is read belongs to the report.
+bool fields_read(const Shape *shape, const json_t *object, const char *path, void *to, Report *report, Error *error);
 
 #endif

@@ -1,14 +1,14 @@
 // build/report DIR: from DIR/report.json, which the judge wrote, to everything that people and graders read.
 //
-//   report.json ──▶ read.c ──▶ Report ──▶ html.c          index.html
-//                                     ├─▶ junit.c         junit.xml
-//                                     ├─▶ tap.c           report.tap
-//                                     ├─▶ gradescope.c    gradescope/results.json
-//                                     ├─▶ prairielearn.c  prairielearn/results.json
-//                                     └─▶ classroom.c     classroom.txt
+//   report.json ──▶ report_file.c ──▶ Report ──▶ html.c          index.html
+//                                            ├─▶ junit.c         junit.xml
+//                                            ├─▶ tap.c           report.tap
+//                                            ├─▶ gradescope.c    gradescope/results.json
+//                                            ├─▶ prairielearn.c  prairielearn/results.json
+//                                            └─▶ classroom.c     classroom.txt
 //
 // A writer decides nothing: statuses and points are the judge's. What came from a student is text, and harmless from
-// read.c on (see text_clean); each writer escapes it once more for its own format. README.md describes report.json.
+// report_file.c on (see text_clean); each writer escapes it once more for its own format. README.md describes report.json.
 #ifndef PHOTONLAB_JUDGE_REPORT_H
 #define PHOTONLAB_JUDGE_REPORT_H
 
@@ -20,12 +20,12 @@
 #include <stddef.h>
 #include <stdio.h>
 
-// Numbers that report.json gives as null are NaN here.
+// The members are report.json's fields. Numbers that are null there are NaN here.
 typedef struct {
     const char *title; // NULL: there is no histogram
     double low, high;
     const double *observed, *expected;
-    size_t bins;
+    size_t bins, expected_bins; // as many
 } ReportHistogram;
 
 typedef struct {
@@ -38,7 +38,7 @@ typedef struct {
     const char *name, *title, *kind, *message;
     Status status;
     double p, threshold;
-    double failing_case; // within the check; −1: none in particular
+    int failing_case; // within the check; −1: none in particular
     ReportHistogram histogram;
     ReportPicture picture;
 } ReportCheck;
@@ -65,9 +65,10 @@ typedef struct {
 
 typedef struct {
     const char *directory;
-    const char *submission, *sandbox;
+    const char *format, *submission, *sandbox;
     bool credit; // false: the student's code ran without a sandbox, so no grader may take the points
     double seconds, points, points_max;
+    int counts[STATUSES]; // of steps; but for STATUS_SKIP
     const ReportStep *steps;
     size_t step_count;
     const ReportScatter *scatters; // by stage
@@ -78,6 +79,8 @@ typedef struct {
     void *kept;        // memory of all the above
 } Report;
 
+// Writes the report to its directory, points and counts summed from the steps: what the judge does.
+bool report_write(Report *report, Error *error);
 // Reads and checks DIR/report.json. False with "file: steps[2].points: what is wrong" otherwise. Free it either way.
 bool report_read(Report *report, const char *directory, Error *error);
 void report_free(Report *report);

@@ -3,11 +3,9 @@
 #include <stddef.h>
 
 const StatusInfo status_table[STATUSES] = {
-    [STATUS_PASS] = {"pass", "✓", "passed", "passed"},
-    [STATUS_FAIL] = {"fail", "✗", "failed", "failed"},
-    [STATUS_ERROR] = {"error", "!", "with an error", "errors"},
-    [STATUS_TODO] = {"todo", "○", "not started", "not_started"},
-    [STATUS_SKIP] = {"skip", "–", "not checked", NULL},
+    [STATUS_PASS] = {"pass", "✓", "passed"},          [STATUS_FAIL] = {"fail", "✗", "failed"},
+    [STATUS_ERROR] = {"error", "!", "with an error"}, [STATUS_TODO] = {"todo", "○", "not started"},
+    [STATUS_SKIP] = {"skip", "–", "not checked"},
 };
 
 bool status_is_wrong(Status status)

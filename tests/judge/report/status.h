@@ -11,7 +11,6 @@ typedef struct {
     const char *name; // "pass", in files
     const char *mark; // "✓"
     const char *words;
-    const char *count; // report.json's field that says how many steps there are of it; NULL: none does
 } StatusInfo;
 extern const StatusInfo status_table[STATUSES];
 
