@@ -6,7 +6,7 @@
 #include "render/radiance_cache.h"
 #include "render/render.h"
 #include "render/sampler.h"
-#include "scene/materials/mirror.h"
+#include "scene/mirror.h"
 
 // One thread's eye.
 typedef struct {

@@ -2,7 +2,7 @@
 
 #define MATERIAL(name) &material_##name,
 const MaterialKind *const material_kinds[] = {
-#include "scene/materials/materials.def"
+#include "scene/materials.def"
 };
 const size_t material_kind_count = sizeof material_kinds / sizeof material_kinds[0];
 

@@ -76,7 +76,7 @@ struct MaterialKind {
 };
 
 #define MATERIAL(name) extern const MaterialKind material_##name;
-#include "scene/materials/materials.def"
+#include "scene/materials.def"
 #undef MATERIAL
 
 // Opens the definition of a kind; one that materials.def does not list is an error here.

@@ -1,5 +1,5 @@
 // A perfect mirror, which may be coloured.
-#include "scene/materials/mirror.h"
+#include "scene/mirror.h"
 #include "scene/material.h"
 
 static Colour albedo(const Material *material, GlossyModel model, float cos_wi)

@@ -1,6 +1,6 @@
 // The way that a mirror sends a ray: the library's own, so that eye rays do not depend on a student's step 1.1.
-#ifndef PHOTONLAB_SCENE_MATERIALS_MIRROR_H
-#define PHOTONLAB_SCENE_MATERIALS_MIRROR_H
+#ifndef PHOTONLAB_SCENE_MIRROR_H
+#define PHOTONLAB_SCENE_MIRROR_H
 
 #include "math/vec3.h"
 
