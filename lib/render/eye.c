@@ -1,4 +1,5 @@
 #include "render/eye.h"
+#include "scene/material_kind.h"
 
 #define SPLIT_WEIGHT  0.25f // glass: both ways are followed while the ray still carries this much …
 #define ALIVE_WEIGHT  0.05f // … and below this a ray survives by roulette

@@ -1,5 +1,6 @@
 // A plain path tracer, to check the photons against: a different method, sharing only the scene and the BRDF.
 #include "render/eye.h"
+#include "scene/material_kind.h"
 
 #define ROULETTE_FROM 8 // bounces that are followed without roulette
 

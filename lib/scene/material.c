@@ -1,10 +1,15 @@
-#include "scene/material.h"
+#include "scene/material_kind.h"
 
 #define MATERIAL(name) &material_##name,
 const MaterialKind *const material_kinds[] = {
 #include "scene/materials.def"
 };
 const size_t material_kind_count = sizeof material_kinds / sizeof material_kinds[0];
+
+bool material_is_rough(const Material *material)
+{
+    return material_kind(material)->optics == OPTICS_ROUGH;
+}
 
 Colour material_lobe(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n)
 {
@@ -20,4 +25,9 @@ Colour material_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec3 
         return colour_grey(0.0f);
     Colour diffuse = colour_scale(material->diffuse, 1.0f / PI);
     return colour_add(diffuse, material_lobe(material, model, wi, wo, n));
+}
+
+Colour material_albedo(const Material *material, GlossyModel model, float cos_wi)
+{
+    return material_kind(material)->albedo(material, model, cos_wi);
 }

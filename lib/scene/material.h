@@ -7,8 +7,6 @@
 #include "math/vec3.h"
 
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 
 // What steps 1.5 and 3.4 tell apart. A kind that the course does not teach has the type MATERIAL_GLOSSY: for that one
 // the steps call photon_scatter_glossy, which knows all kinds.
@@ -51,52 +49,8 @@ typedef enum {
     GLOSSY_SOURCE_TEXT // 2.3: the source text's gap and lobe
 } GlossyModel;
 
-// How a surface treats rays.
-typedef enum {
-    OPTICS_ROUGH = 1, // sends light everywhere, by its BRDF; photons are stored there
-    OPTICS_MIRROR,    // turns each ray into one other
-    OPTICS_GLASS,     // reflects and refracts
-    OPTICS_LIGHT      // gives light, takes all that comes
-} MaterialOptics;
-
-// A kind of material; a test names what one leaves out.
-struct MaterialKind {
-    const char *name;
-    MaterialType type;
-    MaterialOptics optics;
-    bool cosine_lobe; // rough: its lobe is the course's, cosⁿα about the mirror direction
-    // Share of light from wi that the surface sends back, per channel: the albedo a(wi), 0…1.
-    Colour (*albedo)(const Material *material, GlossyModel model, float cos_wi);
-    // Rough: the BRDF beside ρ_d/π, for wi and wo above the surface; NULL: there is nothing beside it.
-    Colour (*lobe)(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);
-    // Mirrors: which way a ray goes on; ρ_s is how much of it does.
-    Vec3 (*turn)(Vec3 direction, Vec3 normal);
-    // How its outlines are drawn: this colour and opacity, and so much of the reflectance's hue on top.
-    uint8_t line[4], line_hue;
-};
-
-#define MATERIAL(name) extern const MaterialKind material_##name;
-#include "scene/materials.def"
-#undef MATERIAL
-
-// Opens the definition of a kind; one that materials.def does not list is an error here.
-#define MATERIAL_KIND(name)                                                                                            \
-    enum { listed_##name = sizeof material_##name };                                                                   \
-    const MaterialKind material_##name
-
-extern const MaterialKind *const material_kinds[];
-extern const size_t material_kind_count;
-
-static inline const MaterialKind *material_kind(const Material *material)
-{
-    return material->kind ? material->kind : material_kinds[material->type];
-}
-
 // Do photons end their specular path here (are they stored, is the map looked up)?
-static inline bool material_is_rough(const Material *material)
-{
-    return material_kind(material)->optics == OPTICS_ROUGH;
-}
+bool material_is_rough(const Material *material);
 
 // BRDF f_r(wi, wo) in 1/sr of a rough material; wi towards the light, wo towards the eye, n the unit normal on their
 // side.
@@ -109,10 +63,9 @@ static inline bool material_is_rough(const Material *material)
 Colour material_lobe(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);
 Colour material_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);
 
-static inline Colour material_albedo(const Material *material, GlossyModel model, float cos_wi)
-{
-    return material_kind(material)->albedo(material, model, cos_wi);
-}
+// Share of light from wi that the material sends back, per channel (the albedo a(wi), 0…1): for glossy it is less by
+// what the lobe loses below the surface. Mirrors: ρ_s. Glass: 1. Lights: 0.
+Colour material_albedo(const Material *material, GlossyModel model, float cos_wi);
 
 // Fills the table for exponent n ≥ 0 by quadrature. Between its entries the functions below interpolate; relative
 // error below 1e-3 for n ≤ 1000 and θ ≤ 85°.

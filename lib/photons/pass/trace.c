@@ -1,4 +1,5 @@
 #include "photons/pass/trace_internal.h"
+#include "scene/material_kind.h"
 #include "math/sample.h"
 #include "steps/steps.h"
 

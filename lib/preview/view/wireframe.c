@@ -1,5 +1,6 @@
 // The scene as lines: edges of flats where the surface ends or bends, circles on spheres, lights in yellow.
 #include "preview/view/view_internal.h"
+#include "scene/material_kind.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,5 @@
 #include "scene/file/scene_load.h"
+#include "scene/material_kind.h"
 
 #include "scene/glass_catalogue.h"
 #include "base/text.h"

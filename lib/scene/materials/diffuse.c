@@ -1,5 +1,5 @@
 // Lambert: ρ_d/π into every direction.
-#include "scene/material.h"
+#include "scene/material_kind.h"
 
 static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
 {
@@ -8,8 +8,21 @@ static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
     return material->diffuse;
 }
 
+static bool build(SceneEntry *entry, Material *material)
+{
+    material->diffuse = scene_colour(entry, "reflectance");
+    return true;
+}
+
+static const SceneKey keys[] = {
+    {"reflectance", KEY_COLOUR, KEY_REQUIRED, RANGE_SHARE, "ρ_d: the share of light that is sent back"},
+    {.name = NULL},
+};
+
 MATERIAL_KIND(diffuse) = {
-    .name = "diffuse",
+    .scene = {"diffuse", "diffuse material", "Lambert: sends light evenly to all sides.", keys,
+              "{name: chalk, type: diffuse, reflectance: [0.7, 0.7, 0.7]}"},
+    .build = build,
     .type = MATERIAL_DIFFUSE,
     .optics = OPTICS_ROUGH,
     .albedo = albedo,

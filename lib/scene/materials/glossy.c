@@ -1,7 +1,8 @@
 // Lambert's reflection and a cosine lobe about the mirror direction.
-#include "scene/material.h"
+#include "scene/material_kind.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static float lookup(const float *table, float cos_theta)
 {
@@ -91,8 +92,40 @@ static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
     return colour_add(material->diffuse, colour_scale(material->specular, above));
 }
 
+static bool build(SceneEntry *entry, Material *material)
+{
+    material->diffuse = scene_colour(entry, "diffuse");
+    material->specular = scene_colour(entry, "specular");
+    material->exponent = scene_number(entry, "exponent");
+    // 0.7 + 0.3 may come out a little above 1 in single precision.
+    float most = colour_max(colour_add(material->diffuse, material->specular));
+    if (most > 1.000001f)
+        return scene_fault(entry, NULL,
+                           "diffuse + specular of '%s' is %g in a channel; expected at most 1, or the surface "
+                           "would give back more light than it gets",
+                           material->name, (double)most);
+    material->lobe = calloc(1, sizeof *material->lobe);
+    if (!material->lobe)
+        return scene_memory_fault(entry);
+    lobe_table_fill(material->lobe, material->exponent);
+    return true;
+}
+
+static const SceneKey keys[] = {
+    {"diffuse", KEY_COLOUR, KEY_REQUIRED, RANGE_SHARE, "ρ_d: the share that is sent evenly to all sides"},
+    {"specular", KEY_COLOUR, KEY_REQUIRED, RANGE_SHARE, "ρ_s: the lobe's share; ρ_d + ρ_s is at most 1"},
+    {"exponent",
+     KEY_NUMBER,
+     KEY_REQUIRED,
+     {0, 10000, false, NULL, NULL},
+     "n of the lobe: the larger, the more like a mirror"},
+    {.name = NULL},
+};
+
 MATERIAL_KIND(glossy) = {
-    .name = "glossy",
+    .scene = {"glossy", "glossy material", "Lambert, and a cosine lobe about the mirror direction.", keys,
+              "{name: satin, type: glossy, diffuse: [0.3, 0.2, 0.1], specular: [0.6, 0.6, 0.6], exponent: 60}"},
+    .build = build,
     .type = MATERIAL_GLOSSY,
     .optics = OPTICS_ROUGH,
     .cosine_lobe = true,

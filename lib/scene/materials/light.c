@@ -1,5 +1,5 @@
 // The surface of a light.
-#include "scene/material.h"
+#include "scene/material_kind.h"
 
 static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
 {
@@ -10,7 +10,6 @@ static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
 }
 
 MATERIAL_KIND(light) = {
-    .name = "light",
     .type = MATERIAL_LIGHT,
     .optics = OPTICS_LIGHT,
     .albedo = albedo,

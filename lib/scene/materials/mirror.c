@@ -1,6 +1,6 @@
 // A perfect mirror, which may be coloured.
 #include "scene/mirror.h"
-#include "scene/material.h"
+#include "scene/material_kind.h"
 
 static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
 {
@@ -9,8 +9,21 @@ static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
     return material->specular;
 }
 
+static bool build(SceneEntry *entry, Material *material)
+{
+    material->specular = scene_colour(entry, "reflectance");
+    return true;
+}
+
+static const SceneKey keys[] = {
+    {"reflectance", KEY_COLOUR, "[1, 1, 1]", RANGE_SHARE, "ρ_s: the share of light that is reflected"},
+    {.name = NULL},
+};
+
 MATERIAL_KIND(mirror) = {
-    .name = "mirror",
+    .scene = {"mirror", "mirror", "A perfect mirror.", keys,
+              "{name: mirror, type: mirror, reflectance: [0.9, 0.9, 0.9]}"},
+    .build = build,
     .type = MATERIAL_MIRROR,
     .optics = OPTICS_MIRROR,
     .albedo = albedo,

@@ -1,5 +1,6 @@
 // Reflection of rough materials: BRDF, albedo, and the table of the lobe's integrals.
 #include "unit/test_common.h"
+#include "scene/material_kind.h"
 
 static LobeTable table;
 
@@ -140,24 +141,31 @@ static void simple_materials(void **state)
     assert_false(material_is_rough(&(Material){.type = MATERIAL_GLASS}));
 }
 
-// What a new kind leaves out is named here.
+// Names what a new kind leaves out.
 static void every_kind_is_whole(void **state)
 {
     (void)state;
     for (size_t i = 0; i < material_kind_count; i++) {
         const MaterialKind *kind = material_kinds[i];
-        const char *missing = !kind->name                                       ? "a name"
+        const SceneType *scene = &kind->scene;
+        bool light = kind == &material_light;
+        const char *missing = !light && !scene->name                            ? "its name"
+                              : !light && !scene->called                        ? "what messages call it"
+                              : !light && !scene->meaning                       ? "its meaning"
+                              : !light && !scene->keys                          ? "its keys"
+                              : !light && !scene->example                       ? "its example"
+                              : !light && !kind->build                          ? "its build function"
                               : !kind->optics                                   ? "its optics"
                               : !kind->albedo                                   ? "its albedo"
                               : kind->line[3] == 0                              ? "a visible line"
                               : kind->cosine_lobe && !kind->lobe                ? "its lobe"
                               : (kind->optics == OPTICS_MIRROR) != !!kind->turn ? "its turn, or has one for nothing"
                                                                                 : NULL;
+        const char *name = light ? "light" : scene->name ? scene->name : "without a name";
         if (missing)
-            fail_msg("the material '%s' lacks %s", kind->name ? kind->name : "(the last of materials.def)", missing);
-        bool taught = i < MATERIAL_TYPES;
-        if (kind->type != (taught ? (MaterialType)i : MATERIAL_GLOSSY))
-            fail_msg("the material '%s' has the wrong type, or stands in the wrong place of materials.def", kind->name);
+            fail_msg("the material '%s' lacks %s", name, missing);
+        if (kind->type != (i < MATERIAL_TYPES ? (MaterialType)i : MATERIAL_GLOSSY))
+            fail_msg("the material '%s' has the wrong type, or the wrong place in materials.def", name);
     }
 }
 
