@@ -48,7 +48,7 @@ endif
 
 find_c           = $(sort $(shell find $(1) -name '*.c' 2>/dev/null))
 LIBRARY_SOURCES := $(filter-out lib/cli/% lib/preview/%,$(call find_c,lib))
-PROGRAM_SOURCES := $(call find_c,lib/cli lib/preview tests/judge/probe)
+PROGRAM_SOURCES := $(call find_c,lib/cli lib/preview)
 STEP_SOURCES    = $(wildcard solutions/*/*.c)
 TEST_SOURCES    = $(filter-out $(SKIP),$(wildcard tests/unit/*/*.c))
 
@@ -165,7 +165,7 @@ check-cli: all
 	@bash tests/cli.sh $(PROGRAM) $(BUILD)
 
 ##   check-probe       what the judge asks of a step, in numbers
-check-probe: all
+check-probe: all $(PROBE)
 	@bash tests/probe.sh $(PROGRAM) $(BUILD)
 
 ##   check-rooms       which folder includes which: as lib/README.md and tests/README.md say?

@@ -27,7 +27,7 @@ expect() {
 expect 2 "usage" "$program"
 expect 0 "usage" "$program" --help
 expect 2 "no command \`paint\`" "$program" paint
-for command in render photons diff steps probe; do
+for command in render photons diff steps; do
     expect 0 "usage: photonlab $command" "$program" $command --help
     expect 2 "--help lists the flags" "$program" $command --no-such-flag
 done

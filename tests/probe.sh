@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# `photonlab probe` and `photonlab steps`: what they give, and how they refuse. Usage: probe.sh PROGRAM BUILD
+# `build/probe` and `photonlab steps`: what they give, and how they refuse. Usage: probe.sh PROGRAM BUILD
 set -u
 here=$(dirname "$0")
 . "$here/common.sh"
 program=$1
+probe=$2/probe
 solutions=$2/solutions
 mkdir "$work/none"
 
@@ -16,7 +17,7 @@ probe() {
     local step=$1 references=$2
     shift 2
     printf '%s\n' "$@" >"$work/cases"
-    "$program" probe --step "$step" --object "$(object_of "$step")" --references "$references" --print "$work/cases" 2>"$work/err"
+    "$probe" --step "$step" --object "$(object_of "$step")" --references "$references" --print "$work/cases" 2>"$work/err"
 }
 
 # gives STEP CASE NUMBERS: the numbers that a deterministic case gives.
@@ -72,7 +73,7 @@ for case in "paths scenes/box_glass.yaml 100 2 9 3.4 1" "picture scenes/box_glas
     check "$numbers > 100" "probe 1.1 $case"
 done
 echo "scatter scenes/box_glass.yaml 50 400 9 2.4,3.4 1" >"$work/scatter"
-several() { "$program" probe --several "$1" --objects "$work" --references "$solutions" "$work/scatter" -o "$work/photons" --print; }
+several() { "$probe" --several "$1" --objects "$work" --references "$solutions" "$work/scatter" -o "$work/photons" --print; }
 mkdir -p "$work/1.1" && cp "$solutions/1_diffuse_photon_map/1.1_reflect.so" "$work/1.1/step.so"
 several "" >"$work/reference" 2>&1
 check "$(wc -w <"$work/reference") == $((2 + 3 + 400 * 15))" "a scatter has room for 400 photons"
@@ -80,5 +81,5 @@ several 1.1 >"$work/several" 2>&1
 if cmp -s "$work/reference" "$work/several"; then good "the same object by another way: the same photons"; else bad "scatter: $(head -c 200 "$work/several")"; fi
 if several 1.2 >/dev/null 2>"$work/err"; then bad "a missing object is taken"; else good "a missing object is refused"; fi
 if several 1.1,7 >/dev/null 2>"$work/err"; then bad "step 7 is taken"; else good "step 7 is refused"; fi
-if "$program" probe --step 9.9 --object a --references b c >/dev/null 2>"$work/err"; then bad "step 9.9 is taken"; else good "step 9.9 is refused"; fi
+if "$probe" --step 9.9 --object a --references b c >/dev/null 2>"$work/err"; then bad "step 9.9 is taken"; else good "step 9.9 is refused"; fi
 finish

@@ -1,4 +1,4 @@
-// Where a fatal signal found the program: what the handlers of `photonlab probe` and of the preview's workers share.
+// Where a fatal signal found the program: what the handlers of the judge's probe and of the preview's workers share.
 // All but crash_watch may be called from a signal handler.
 #ifndef PHOTONLAB_BASE_CRASH_REPORT_H
 #define PHOTONLAB_BASE_CRASH_REPORT_H

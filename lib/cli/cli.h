@@ -16,7 +16,6 @@ int command_photons(int count, char **arguments);
 int command_diff(int count, char **arguments);
 int command_steps(int count, char **arguments);
 int command_preview(int count, char **arguments);
-int command_probe(int count, char **arguments);
 
 // Prints the error to standard error and returns EXIT_INPUT.
 int report_error(const Error *error);

@@ -15,7 +15,6 @@ static const Command commands[] = {
     {"photons", command_photons, "write the stored photons as a point cloud"},
     {"diff", command_diff, "compare two pictures"},
     {"steps", command_steps, "list the steps to write, and hints for them"},
-    {"probe", command_probe, "run one step on given cases, for the judge"},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])

@@ -166,7 +166,7 @@ bool steps_load(const char *student_dir, Error *error)
 // Stands in every slot that a graded step has no business to call.
 static void step_is_absent(void)
 {
-    fprintf(stderr, "photonlab probe: a step was called that is not there while this one is graded\n");
+    fprintf(stderr, "photonlab: a step was called that is not there while this one is graded\n");
     abort();
 }
 

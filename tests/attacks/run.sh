@@ -26,7 +26,7 @@ copy_closed() {
     mkdir -p "$build"
     cp -R "$old_root"/lib "$old_root"/scenes "$old_root"/solutions "$root/"
     (cd "$old_root" && tar -cf - --exclude=tests/reference/images tests) | tar -xf - -C "$root"
-    cp -R "$old_build"/photonlab "$old_build"/libphotonlab.so "$old_build"/judge "$old_build"/solutions "$build/"
+    cp -R "$old_build"/photonlab "$old_build"/probe "$old_build"/libphotonlab.so "$old_build"/judge "$old_build"/solutions "$build/"
     [ ! -x "$old_build/write_reports" ] || cp "$old_build/write_reports" "$build/"
     chmod -R go+rX "$root"
     for i in "$root/solutions" "$build/solutions" "$root/tests/alternatives" "$root/tests/mistakes" "$root/tests/attacks"; do
@@ -87,7 +87,7 @@ traces() {
     ls -A "$TMPDIR"
     (cd "$root" && find solutions lib/photonlab.h tests/judge/points.txt -newer "$work/began" 2>/dev/null)
     (cd "$build" && find photonlab libphotonlab.so solutions -newer "$work/began" 2>/dev/null)
-    ps -eo stat,pid,args | grep -F "$work/" | grep -E 'photonlab probe|bwrap|/cc1|/as |/ld ' | grep -vE '^Z|grep'
+    ps -eo stat,pid,args | grep -F "$work/" | grep -E '/probe --|bwrap|/cc1|/as |/ld ' | grep -vE '^Z|grep'
     for stray in "$root/report.json" "$build/report.json" /tmp/report.json; do
         [ ! -e "$stray" ] || echo "$stray"
     done

@@ -81,7 +81,7 @@ rm -rf "$out"/.parts/part.* "$out"/.parts/old.* "$out"/.parts/empty*
 # Whatever a verdict hangs on: another judge, points table, compiler or reference grades anew.
 judge_key() {
     {
-        cat "$build/judge" "$build/photonlab" "$build/libphotonlab.so" "$build"/solutions/*/*.so "$points"
+        cat "$build/judge" "$build/probe" "$build/photonlab" "$build/libphotonlab.so" "$build"/solutions/*/*.so "$points"
         find "$root/tests/steps" "$root/tests/judge" "$root/tests/mistakes" "$root/tests/reference/pictures" -type f \( -name '*.txt' -o -name \
             '*.yaml' \) \
             -print0 2>/dev/null | LC_ALL=C sort -z | xargs -0 -r cat

@@ -183,7 +183,7 @@ check_gradescope() {
     holds_command "gradescope: both scripts at the root, executable" test -x "$place/source/setup.sh" -a -x \
         "$place/source/run_autograder"
     mkdir "$place/source/photonlab/build" &&
-        cp -R "$build/obj" "$build"/*.so "$build/photonlab" "$build/judge" "$build"/class_* \
+        cp -R "$build/obj" "$build"/*.so "$build/photonlab" "$build/probe" "$build/judge" "$build"/class_* \
         "$build/write_reports" "$build/solutions" "$place/source/photonlab/build/" &&
             find "$place/source/photonlab/build" -type f -exec touch {} +
     cp "$root"/scenes/meshes/*.obj "$place/source/photonlab/scenes/meshes/" &&

@@ -37,7 +37,7 @@ check_handout() {
         grep -E '^  +(check|class|bench|exercises|calibrate|handout|gradescope|fuzz|mistakes)' "$work/help"
     # Built by what is here already, newer than its sources, so that only the handout's own part is tried.
     mkdir "$tree/build" &&
-        cp -R "$build/obj" "$build"/*.so "$build/photonlab" "$build/judge" "$build/write_reports" "$tree/build/" &&
+        cp -R "$build/obj" "$build"/*.so "$build/photonlab" "$build/probe" "$build/judge" "$build/write_reports" "$tree/build/" &&
         find "$tree/build" -type f -exec touch {} +
     (cd "$tree" && make all hint STEP=2.2) >"$work/said" 2>&1
     says "Hint 1 of 3" "$work/said" "handout: make all hint, in a folder with a blank in its name"

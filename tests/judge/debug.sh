@@ -29,5 +29,5 @@ else
     set -- -ex "break $symbol" -ex run
 fi
 exec gdb -q ${GDB_FLAGS:-} -ex "set breakpoint pending on" -ex "set debuginfod enabled off" -ex "set pagination off" -ex "set print frame-arguments all" "$@" \
-    --args "$build/photonlab" probe --step "$step" --object "$directory/step.so" --references "$build/solutions" --root . \
+    --args "$build/probe" --step "$step" --object "$directory/step.so" --references "$build/solutions" --root . \
     --only "$number" --print "$directory/$cases"

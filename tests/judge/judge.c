@@ -1,4 +1,4 @@
-// judge: grades a submission. It never loads a student's code: `photonlab probe` runs that, in a sandbox, and the judge
+// judge: grades a submission. It never loads a student's code: build/probe runs that, in a sandbox, and the judge
 // looks at the numbers that come out.
 #include "judge/grade/step_features.h"
 #include "arguments.h"

@@ -10,8 +10,14 @@ $(JUDGE): $(call object,$(JUDGE_SOURCES)) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(JUDGE_LIBS) $(LDLIBS)
 
+# What runs students' code for the judge, in the sandbox.
+PROBE = $(BUILD)/probe
+$(PROBE): $(call object,$(wildcard tests/judge/probe/*.c)) $(LIBRARY)
+	$(call say,link,$@)
+	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(LDLIBS)
+
 .PHONY: judge test
-judge: all $(JUDGE)
+judge: all $(JUDGE) $(PROBE)
 
 # How a student's step is compiled: with debug information, with the warnings that help, and the same arithmetic everywhere.
 STEP_OPTIMISE ?= -O2
@@ -70,12 +76,12 @@ CALIBRATE_OBJECTS = $(call object,$(wildcard tests/judge/calibrate/*.c) tests/ju
 $(BUILD)/calibrate: $(CALIBRATE_OBJECTS) $(LIBRARY)
 	$(call say,link,$@)
 	$(Q)$(CC) $(CFLAGS) $(CALIBRATE_OBJECTS) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(JUDGE_LIBS) $(LDLIBS)
-calibrate: all $(BUILD)/calibrate
+calibrate: all $(PROBE) $(BUILD)/calibrate
 	@$(BUILD)/calibrate
 
 ##   check-pictures    how often right pictures are called wrong, and which mistakes pictures show (half an hour)
 .PHONY: check-pictures
-check-pictures: all $(BUILD)/calibrate
+check-pictures: all $(PROBE) $(BUILD)/calibrate
 	@sh tests/judge/picture_test.sh $(BUILD)
 
 ##   check-judge       what a student meets at the terminal

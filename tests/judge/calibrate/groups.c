@@ -1,7 +1,7 @@
 #define _GNU_SOURCE // popen, mkstemp
 #include "groups.h"
 
-#include "judge/probe/probe.h"
+#include "judge/probe/probe_sizes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,8 +39,8 @@ static bool draw(const GroupRun *run, const char *cases, size_t pictures, size_t
 {
     char command[16384], magic[sizeof PROBE_MAGIC] = "";
     snprintf(command, sizeof command,
-             "'%s/photonlab' probe --step %s --object '%s' --references '%s/solutions' --fd 3 '%s' 3>&1 1>/dev/null",
-             run->build, run->step, run->object, run->build, cases);
+             "'%s/probe' --step %s --object '%s' --references '%s/solutions' --fd 3 '%s' 3>&1 1>/dev/null", run->build,
+             run->step, run->object, run->build, cases);
     FILE *pipe = popen(command, "r");
     if (!pipe)
         return false;

@@ -1,4 +1,4 @@
-// Many groups of pictures by one step's code: `photonlab probe` draws them, as it does when a step is graded.
+// Many groups of pictures by one step's code: `build/probe` draws them, as it does when a step is graded.
 #ifndef PHOTONLAB_JUDGE_CALIBRATE_GROUPS_H
 #define PHOTONLAB_JUDGE_CALIBRATE_GROUPS_H
 

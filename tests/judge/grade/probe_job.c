@@ -13,7 +13,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define MAGIC     "photonlab probe 1\n"
 #define MEMORY_MB 512
 #define RESULT_MB 64
 
@@ -23,7 +22,7 @@ void probe_job_start(const GradeOptions *options, const char *directory, const c
     job->directory = directory;
     job->cpu_seconds = options->cpu_seconds;
     snprintf(job->cases, sizeof job->cases, "%s/%s", directory, cases);
-    probe_job_show(job, "%s/photonlab", options->build);
+    probe_job_show(job, "%s/probe", options->build);
     probe_job_show(job, "%s/libphotonlab.so", options->build);
     probe_job_show(job, "%s", job->cases);
 }
@@ -91,8 +90,8 @@ static unsigned char *read_result(int fd, size_t *size)
 static size_t parse_result(const unsigned char *bytes, size_t size, const char *id, char *const *lines, size_t count,
                            Numbers *numbers, float *storage, bool *forged)
 {
-    size_t at = strlen(MAGIC), used = 0;
-    *forged = size >= at && memcmp(bytes, MAGIC, at) != 0;
+    size_t at = strlen(PROBE_MAGIC), used = 0;
+    *forged = size >= at && memcmp(bytes, PROBE_MAGIC, at) != 0;
     for (size_t i = 0; i < count; i++) {
         uint32_t head[2];
         size_t expected = probe_case_size(id, lines[i]);
@@ -121,9 +120,8 @@ static bool run_it(const GradeOptions *options, const ProbeJob *job, int fd, San
 {
     char references[4200];
     snprintf(references, sizeof references, "%s/solutions", options->build);
-    const char *arguments[32] = {job->visible[0], "probe", "--references", references,
-                                 "--fd",          "3",     "--root",       options->root};
-    int count = 8;
+    const char *arguments[32] = {job->visible[0], "--references", references, "--fd", "3", "--root", options->root};
+    int count = 7;
     for (int i = 0; i < job->word_count; i++)
         arguments[count++] = job->words[i];
     arguments[count] = job->cases;

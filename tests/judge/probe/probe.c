@@ -1,6 +1,8 @@
+// The program build/probe: takes the flags, loads the steps, runs case after case.
 #include "judge/probe/probe.h"
-#include "cli/cli.h"
 #include "judge/probe/probe_sizes.h"
+
+#include "base/command_line.h"
 #include "base/file.h"
 
 #include <errno.h>
@@ -9,8 +11,8 @@
 #include <unistd.h>
 
 static const char help[] =
-    "usage: photonlab probe --step ID --object STEP.so --references DIR CASES [-o OUT | --fd N]\n"
-    "       photonlab probe --several LIST --objects DIR --references DIR CASES [-o OUT | --fd N]\n"
+    "usage: build/probe --step ID --object STEP.so --references DIR CASES [-o OUT | --fd N]\n"
+    "       build/probe --several LIST --objects DIR --references DIR CASES [-o OUT | --fd N]\n"
     "\n"
     "Runs one step on given cases and writes what it gave, as numbers. What `make test` and `make debug` call; tests/judge/probe/probe.h\n"
     "describes both files.\n"
@@ -33,92 +35,6 @@ typedef struct {
     int fd, only;
     bool print;
 } Arguments;
-
-void probe_put(ProbeOutput *output, float value)
-{
-    if (output->count == output->room) {
-        size_t room = output->room ? 2 * output->room : 1024;
-        float *values = realloc(output->values, room * sizeof *values);
-        output->out_of_memory = output->out_of_memory || !values;
-        if (!values)
-            return;
-        output->values = values;
-        output->room = room;
-    }
-    output->values[output->count++] = value;
-}
-
-void probe_put_vec3(ProbeOutput *output, Vec3 v)
-{
-    probe_put(output, v.x);
-    probe_put(output, v.y);
-    probe_put(output, v.z);
-}
-
-void probe_put_colour(ProbeOutput *output, Colour c)
-{
-    probe_put(output, c.r);
-    probe_put(output, c.g);
-    probe_put(output, c.b);
-}
-
-const char *probe_word(ProbeLine *line)
-{
-    char *word = line->rest + strspn(line->rest, " ");
-    size_t length = strcspn(word, " ");
-    line->broken = line->broken || length == 0;
-    line->rest = word + length + (word[length] != '\0');
-    word[length] = '\0';
-    return word;
-}
-
-double probe_number(ProbeLine *line)
-{
-    const char *word = probe_word(line);
-    char *end;
-    double value = strtod(word, &end);
-    line->broken = line->broken || end == word || *end;
-    return value;
-}
-
-long probe_whole(ProbeLine *line, long low, long high)
-{
-    const char *word = probe_word(line);
-    char *end;
-    errno = 0;
-    long value = strtol(word, &end, 10);
-    line->broken = line->broken || end == word || *end || errno || value < low || value > high;
-    return value;
-}
-
-uint64_t probe_seed(ProbeLine *line)
-{
-    const char *word = probe_word(line);
-    char *end;
-    errno = 0;
-    uint64_t value = strtoull(word, &end, 10);
-    line->broken = line->broken || end == word || *end || errno;
-    return value;
-}
-
-Vec3 probe_vec3(ProbeLine *line)
-{
-    float x = (float)probe_number(line);
-    float y = (float)probe_number(line);
-    float z = (float)probe_number(line);
-    return vec3(x, y, z);
-}
-
-Colour probe_colour(ProbeLine *line)
-{
-    Vec3 v = probe_vec3(line);
-    return colour(v.x, v.y, v.z);
-}
-
-bool probe_at_end(ProbeLine *line)
-{
-    return line->rest[strspn(line->rest, " ")] == '\0';
-}
 
 static const char *scene_root = ".";
 
@@ -221,16 +137,14 @@ static int parse(int count, char **arguments, Arguments *a)
         {"only", FLAG_INT, &a->only, 0, 1e9},
         {"print", FLAG_PRESENT, &a->print, 0, 0},
     };
-    int wrong =
-        command_line_parse(&(CommandLine){"photonlab probe", help, "one file of cases", flags, FLAG_COUNT(flags), 1, 1},
-                           count, arguments, &a->cases);
+    int wrong = command_line_parse(&(CommandLine){"probe", help, "one file of cases", flags, FLAG_COUNT(flags), 1, 1},
+                                   count, arguments, &a->cases);
     if (wrong)
         return wrong;
     bool one = a->step && a->object && !a->several && !a->objects;
     bool several = a->several && a->objects && !a->step && !a->object;
     if (!a->references || (!one && !several))
-        return report_usage("photonlab probe",
-                            "needs --step and --object, or --several and --objects; and --references");
+        return report_usage("probe", "needs --step and --object, or --several and --objects; and --references");
     return 0;
 }
 
@@ -250,13 +164,19 @@ static bool read_list(const char *list, bool graded[STEP_COUNT])
     return true;
 }
 
+static int fail(const Error *error)
+{
+    fprintf(stderr, "%s\n", error->message);
+    return 1;
+}
+
 static bool load(const Arguments *a, const StepInfo *step, const bool graded[STEP_COUNT], Error *error)
 {
     return step ? steps_load_graded(step, a->object, a->references, error)
                 : steps_load_several(graded, a->objects, a->references, error);
 }
 
-int command_probe(int count, char **arguments)
+int main(int count, char **arguments)
 {
     Arguments a;
     int wrong = parse(count, arguments, &a);
@@ -265,16 +185,16 @@ int command_probe(int count, char **arguments)
     const StepInfo *step = a.step ? step_find(a.step) : NULL;
     bool graded[STEP_COUNT];
     if (a.step && !step)
-        return report_usage("photonlab probe", "--step %s: no such step", a.step);
+        return report_usage("probe", "--step %s: no such step", a.step);
     if (a.several && !read_list(a.several, graded))
-        return report_usage("photonlab probe", "--several %s: expected steps parted by commas", a.several);
+        return report_usage("probe", "--several %s: expected steps parted by commas", a.several);
     scene_root = a.root ? a.root : ".";
     parallel_limit(1); // grading runs one probe per core
     Error error = {""};
     size_t size;
     char *text = file_read(a.cases, MOST_CASE_BYTES, &size, &error);
     if (!text)
-        return report_error(&error);
+        return fail(&error);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what a step prints is out before it crashes
     probe_watch(a.object, a.objects);
     FileWriter writer = {NULL, NULL, NULL};
@@ -283,5 +203,5 @@ int command_probe(int count, char **arguments)
     if (writer.stream)
         ok = file_write_end(&writer, ok, &error) && ok;
     free(text);
-    return ok ? 0 : report_error(&error);
+    return ok ? 0 : fail(&error);
 }

@@ -1,8 +1,8 @@
-// What `photonlab probe` is made of. It runs one step of a student, or several together, and writes down what came out, as numbers; it
+// What the program build/probe is made of. It runs one step of a student, or several together, and writes down what came out, as numbers; it
 // judges nothing and knows no right answer.
 //
 // It reads cases, one a line, words parted by spaces:
-//   call COUNT SEED ARGUMENT…      the step COUNT times, call i with the random stream (SEED, i); see probe_calls.c
+//   call COUNT SEED ARGUMENT…      the step COUNT times, call i with the random stream (SEED, i); what its row in lib/steps/steps.def lists
 //   paths SCENE PHOTONS BATCHES DEPTH STEPS SEED             photon passes in BATCHES parts; see probe_paths.c
 //   picture SCENE WIDTH HEIGHT PHOTONS K DEPTH STEPS SEED    one picture, photons only, one eye ray a pixel
 //   scatter SCENE PHOTONS ROOM DEPTH STEPS SEED              the photons of one pass, at most ROOM; see probe_scatter.h
@@ -15,8 +15,6 @@
 
 #include <stdint.h>
 #include <stdio.h>
-
-#define PROBE_MAGIC "photonlab probe 1\n"
 
 // Results on their way out.
 typedef struct {

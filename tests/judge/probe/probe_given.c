@@ -1,0 +1,107 @@
+#include "judge/probe/probe_given.h"
+
+#include <stdlib.h>
+
+#define MOST_PHOTONS 4096 // around a point
+
+PhotonColour probe_photon_colour(ProbeLine *line)
+{
+    return (PhotonColour)probe_whole(line, WHITE, BLUE);
+}
+
+bool read_arguments(ProbeLine *line, Given *given, Error *error)
+{
+    (void)line, (void)given, (void)error;
+    return true;
+}
+
+bool read_glass(ProbeLine *line, Given *given, Error *error)
+{
+    (void)error;
+    Material *glass = &given->material_read;
+    glass->type = MATERIAL_GLASS;
+    for (int c = 0; c < 3; c++)
+        glass->index[c] = (float)probe_number(line);
+    glass->disperses = glass->index[0] != glass->index[1] || glass->index[1] != glass->index[2];
+    given->glass = glass;
+    return true;
+}
+
+bool read_glass_and_photon(ProbeLine *line, Given *given, Error *error)
+{
+    Photon *photon = &given->photon_read;
+    read_glass(line, given, error);
+    photon->position = probe_vec3(line);
+    photon->direction = probe_vec3(line);
+    photon->power = probe_colour(line);
+    photon->colour = probe_photon_colour(line);
+    photon->bounce = (int)probe_whole(line, 0, 1000);
+    given->photon = photon;
+    return true;
+}
+
+// corner, edge_u, edge_v, radiance: direction, area and power follow.
+bool read_light(ProbeLine *line, Given *given, Error *error)
+{
+    (void)error;
+    Light *light = &given->light_read;
+    light->type = LIGHT_RECTANGLE;
+    light->position = probe_vec3(line);
+    light->edge_u = probe_vec3(line);
+    light->edge_v = probe_vec3(line);
+    light->radiance = probe_colour(line);
+    Vec3 across = vec3_cross(light->edge_u, light->edge_v);
+    light->area = vec3_length(across);
+    light->direction = vec3_normalize(across);
+    light->power = colour_scale(light->radiance, PI * light->area);
+    given->light = light;
+    return true;
+}
+
+// k, radius (0: no limit), point, normal, wo; surface (0 diffuse, 1 glossy as step 2.4 plays it, 2 as 2.3), ρ_d, ρ_s,
+// exponent; count, then position, power, wi of each photon.
+bool read_surroundings(ProbeLine *line, Given *given, Error *error)
+{
+    given->gather_read.k = (size_t)probe_whole(line, 1, 1000);
+    float radius = (float)probe_number(line);
+    given->gather_read.radius = radius > 0.0f ? radius : INFINITY;
+    given->hit_read.position = probe_vec3(line);
+    given->hit_read.normal = given->hit_read.face_normal = probe_vec3(line);
+    given->wo = probe_vec3(line);
+    long surface = probe_whole(line, 0, 2);
+    given->material_read.type = surface ? MATERIAL_GLOSSY : MATERIAL_DIFFUSE;
+    given->gather_read.glossy = surface == 2 ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG;
+    given->material_read.diffuse = probe_colour(line);
+    given->material_read.specular = probe_colour(line);
+    given->material_read.exponent = (float)probe_number(line);
+    if (surface)
+        lobe_table_fill(&given->lobe, given->material_read.exponent);
+    given->material_read.lobe = surface ? &given->lobe : NULL;
+    given->hit_read.material = &given->material_read;
+    given->hit_read.entering = true;
+    given->hit = &given->hit_read;
+    given->gather = &given->gather_read;
+    long count = probe_whole(line, 0, MOST_PHOTONS);
+    if (line->broken)
+        return true; // said by the caller
+    StoredPhoton *photons = calloc((size_t)count + 1, sizeof *photons);
+    given->gather_read.near = malloc(PHOTON_MAP_NEAREST_ROOM(given->gather_read.k) * sizeof *given->gather_read.near);
+    if (!photons || !given->gather_read.near) {
+        free(photons);
+        return error_set(error, "not enough memory");
+    }
+    for (long i = 0; i < count; i++) {
+        photons[i].position = probe_vec3(line);
+        photons[i].power = probe_colour(line);
+        photons[i].packed_wi = direction_pack(probe_vec3(line));
+        photons[i].path = PATH_INDIRECT;
+    }
+    given->map = photon_map_build(photons, (size_t)count, error);
+    return given->map != NULL;
+}
+
+void given_free(Given *given)
+{
+    photon_map_free(given->map);
+    free(given->gather_read.near);
+}

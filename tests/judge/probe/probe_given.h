@@ -1,0 +1,35 @@
+// What steps are given that is no plain value: each reader takes its part of a line, before the parameters.
+#ifndef PHOTONLAB_PROBE_GIVEN_H
+#define PHOTONLAB_PROBE_GIVEN_H
+
+#include "judge/probe/probe.h"
+
+// What a reader provides, called as the rows of steps.def call it, and what that is made of.
+typedef struct {
+    const Light *light;
+    const Material *glass;
+    const Photon *photon;
+    PhotonMap *map;
+    const Hit *hit;
+    Vec3 wo;
+    Gather *gather;
+
+    Light light_read;
+    Material material_read;
+    Photon photon_read;
+    Hit hit_read;
+    Gather gather_read;
+    LobeTable lobe;
+} Given;
+
+typedef bool Reader(ProbeLine *line, Given *given, Error *error);
+Reader read_arguments; // nothing
+Reader read_glass;
+Reader read_glass_and_photon;
+Reader read_light;
+Reader read_surroundings;
+
+PhotonColour probe_photon_colour(ProbeLine *line);
+void given_free(Given *given);
+
+#endif
