@@ -73,7 +73,7 @@ bool scene_check_use(const SceneEntry *entry)
                            entry->without_row);
     for (size_t i = 0; i < entry->value_count; i++) {
         const SceneValue *value = &entry->values[i];
-        if (value->given && !value->asked)
+        if (value->given && !value->asked && value->key->kind != KEY_TYPE)
             return scene_fault(entry, value->key->name, "'%s' is a row of %s, but the program does not use it",
                                value->key->name, entry->type->name);
     }

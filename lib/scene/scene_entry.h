@@ -29,6 +29,7 @@ typedef struct {
 struct SceneEntry {
     const SceneSource *source;
     const SceneType *type;
+    size_t type_number; // of its section
     ScenePlace place;
     SceneValue *values; // one for each row of its type
     size_t value_count;

@@ -35,39 +35,21 @@ typedef struct {
 #define KEY_REQUIRED NULL
 #define KEY_OPTIONAL ""
 
-// Ranges that several keys have; their numbers stand in scene/limits.h.
-#define RANGE_METRES                                                                                                   \
-    {                                                                                                                  \
-        -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, false, "m", NULL                                                  \
-    }
-#define RANGE_DEGREES                                                                                                  \
-    {                                                                                                                  \
-        -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, false, "degrees", NULL                                            \
-    }
-#define RANGE_ANY                                                                                                      \
-    {                                                                                                                  \
-        -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, false, NULL, NULL                                                 \
-    }
-#define RANGE_LENGTH                                                                                                   \
-    {                                                                                                                  \
-        SCENE_SMALLEST_LENGTH, SCENE_LARGEST_NUMBER, false, "m", "a number greater than 0 (from 1e-9)"                 \
-    }
+// clang-format off
+#define RANGE(low, high, unit)               {low, high, false, unit, NULL}
+#define RANGE_TOLD(low, high, unit, expected) {low, high, false, unit, expected}
+#define RANGE_ANGLE                          {0, 180, true, "degrees", "an angle between 0 and 180 degrees"}
+// clang-format on
+
+// Others that several keys have; their numbers stand in scene/limits.h.
+#define RANGE_METRES  RANGE(-SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, "m")
+#define RANGE_DEGREES RANGE(-SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, "degrees")
+#define RANGE_ANY     RANGE(-SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, NULL)
+#define RANGE_LENGTH  RANGE_TOLD(SCENE_SMALLEST_LENGTH, SCENE_LARGEST_NUMBER, "m", "a number greater than 0 (from 1e-9)")
 #define RANGE_FACTOR                                                                                                   \
-    {                                                                                                                  \
-        SCENE_SMALLEST_LENGTH, SCENE_LARGEST_NUMBER, false, NULL, "a number greater than 0 (from 1e-9)"                \
-    }
-#define RANGE_ANGLE                                                                                                    \
-    {                                                                                                                  \
-        0, 180, true, "degrees", "an angle between 0 and 180 degrees"                                                  \
-    }
-#define RANGE_SHARE                                                                                                    \
-    {                                                                                                                  \
-        0, 1, false, NULL, NULL                                                                                        \
-    }
-#define RANGE_NAME                                                                                                     \
-    {                                                                                                                  \
-        1, 63, false, "characters", NULL                                                                               \
-    }
+    RANGE_TOLD(SCENE_SMALLEST_LENGTH, SCENE_LARGEST_NUMBER, NULL, "a number greater than 0 (from 1e-9)")
+#define RANGE_SHARE RANGE(0, 1, NULL)
+#define RANGE_NAME  RANGE(1, 63, "characters")
 
 // One of the types of a section (materials, lights, shapes), or the section itself where it has no types (camera).
 typedef struct {

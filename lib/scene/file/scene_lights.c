@@ -1,84 +1,103 @@
-#include "scene/file/scene_load.h"
+#include "scene/file/scene_build.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 // A Lambertian surface of area A and radiance L sends out Φ = πAL. The file gives one of the two.
-static bool set_emission(const SceneLoader *loader, const LightEntry *entry, Light *light)
+static bool set_emission(SceneEntry *entry, Light *light)
 {
-    if (!entry->radiance == !entry->power)
-        return loader_fault(loader, NULL, "this light has %s; expected exactly one of radiance and power",
-                            entry->radiance ? "both radiance and power" : "neither radiance nor power");
+    bool radiance = scene_given(entry, "radiance"), power = scene_given(entry, "power");
+    if (radiance == power)
+        return scene_fault(entry, NULL, "this light has %s; expected exactly one of radiance and power",
+                           radiance ? "both radiance and power" : "neither radiance nor power");
     float power_of_radiance = PI * light->area;
-    if (entry->radiance) {
-        light->radiance = colour_from_entry(entry->radiance);
+    if (radiance) {
+        light->radiance = scene_colour(entry, "radiance");
         light->power = colour_scale(light->radiance, power_of_radiance);
     } else {
-        light->power = colour_from_entry(entry->power);
+        light->power = scene_colour(entry, "power");
         light->radiance = colour_scale(light->power, 1.0f / power_of_radiance);
     }
     float most = colour_max(light->radiance);
     if (!(most < 1e18f && colour_max(light->power) < 1e18f))
-        return loader_fault(loader, NULL, "this light of %g m² is too bright to reckon with; expected less power",
-                            light->area);
+        return scene_fault(entry, NULL, "this light of %g m² is too bright to reckon with; expected less power",
+                           light->area);
     return true;
 }
 
 // The light's surface shines by a material of its own, which stands after those of the file.
-static bool add_light_material(SceneLoader *loader, Colour radiance, uint32_t *material)
+static bool add_light_material(SceneBuilder *builder, const SceneEntry *entry, Colour radiance, uint32_t *material)
 {
-    Scene *scene = loader->scene;
+    Scene *scene = builder->scene;
     if (scene->material_count == MAX_MATERIALS)
-        return loader_fault(loader, NULL,
-                            "too many materials: each rectangle or sphere that shines counts as one; "
-                            "expected at most %d",
-                            MAX_MATERIALS);
+        return scene_fault(entry, NULL,
+                           "too many materials: each rectangle or sphere that shines counts as one; "
+                           "expected at most %d",
+                           MAX_MATERIALS);
     Material *own = &scene->materials[scene->material_count];
     *own = (Material){.type = MATERIAL_LIGHT, .radiance = radiance};
-    snprintf(own->name, sizeof own->name, "light %d", loader->index + 1);
+    snprintf(own->name, sizeof own->name, "light %zu", scene->light_count + 1);
     *material = (uint32_t)scene->material_count++;
     return true;
 }
 
-static bool build_rectangle(SceneLoader *loader, const LightEntry *entry, Light *light)
+static bool build_rectangle(SceneBuilder *builder, SceneEntry *entry, Light *light)
 {
-    light->position = vec3_from_entry(entry->corner);
-    light->edge_u = vec3_from_entry(entry->edge_u);
-    light->edge_v = vec3_from_entry(entry->edge_v);
-    if (!scene_check_edges(loader, "edge_v", light->edge_u, light->edge_v))
+    light->position = scene_three(entry, "corner");
+    light->edge_u = scene_three(entry, "edge_u");
+    light->edge_v = scene_three(entry, "edge_v");
+    if (!scene_check_edges(entry, "edge_v", light->edge_u, light->edge_v))
         return false;
     Vec3 normal = vec3_cross(light->edge_u, light->edge_v);
     light->area = vec3_length(normal);
     light->direction = vec3_scale(normal, 1.0f / light->area);
-    light->primitive = (uint32_t)loader->scene->flat_count;
+    light->primitive = (uint32_t)builder->scene->flat_count;
     Flat flat = {.origin = light->position, .edge_u = light->edge_u, .edge_v = light->edge_v};
-    return set_emission(loader, entry, light) && add_light_material(loader, light->radiance, &flat.material) &&
-           scene_add_flat(loader, flat);
+    return set_emission(entry, light) && add_light_material(builder, entry, light->radiance, &flat.material) &&
+           scene_add_flat(builder, flat);
 }
 
-static bool build_sphere(SceneLoader *loader, const LightEntry *entry, Light *light)
+static bool build_sphere(SceneBuilder *builder, SceneEntry *entry, Light *light)
 {
-    light->position = vec3_from_entry(entry->centre);
-    light->radius = *entry->radius;
+    light->position = scene_three(entry, "centre");
+    light->radius = scene_number(entry, "radius");
     light->area = 4.0f * PI * light->radius * light->radius;
-    light->primitive = (uint32_t)loader->scene->sphere_count;
+    light->primitive = (uint32_t)builder->scene->sphere_count;
     Sphere sphere = {.centre = light->position, .radius = light->radius};
-    return set_emission(loader, entry, light) && add_light_material(loader, light->radiance, &sphere.material) &&
-           scene_add_sphere(loader, sphere);
+    return set_emission(entry, light) && add_light_material(builder, entry, light->radiance, &sphere.material) &&
+           scene_add_sphere(builder, sphere);
+}
+
+// Point, spot and beam have no surface.
+static bool build_point(SceneBuilder *builder, SceneEntry *entry, Light *light)
+{
+    (void)builder;
+    light->position = scene_three(entry, "position");
+    light->power = scene_colour(entry, "power");
+    return true;
 }
 
 // Spot and beam point from their position to their target.
-static bool build_aimed(SceneLoader *loader, const LightEntry *entry, Light *light)
+static bool aim(SceneBuilder *builder, SceneEntry *entry, Light *light)
 {
-    Vec3 way = vec3_sub(vec3_from_entry(entry->target), light->position);
+    build_point(builder, entry, light);
+    Vec3 way = vec3_sub(scene_three(entry, "target"), light->position);
     if (vec3_length(way) < SCENE_SMALLEST_LENGTH)
-        return loader_fault(loader, "target", "the target is the light's position; expected another point");
+        return scene_fault(entry, "target", "the target is the light's position; expected another point");
     light->direction = vec3_normalize(way);
-    if (light->type == LIGHT_SPOT) {
-        light->cos_cone = cosf(*entry->angle * (PI / 180.0f));
-        return true;
-    }
-    light->radius = *entry->radius;
+    return true;
+}
+
+static bool build_spot(SceneBuilder *builder, SceneEntry *entry, Light *light)
+{
+    light->cos_cone = cosf(scene_number(entry, "angle") * (PI / 180.0f));
+    return aim(builder, entry, light);
+}
+
+static bool build_beam(SceneBuilder *builder, SceneEntry *entry, Light *light)
+{
+    if (!aim(builder, entry, light))
+        return false;
+    light->radius = scene_number(entry, "radius");
     // Across the beam: start from the axis that is least along it.
     Vec3 d = light->direction;
     bool x_least = fabsf(d.x) <= fabsf(d.y) && fabsf(d.x) <= fabsf(d.z);
@@ -88,37 +107,91 @@ static bool build_aimed(SceneLoader *loader, const LightEntry *entry, Light *lig
     return true;
 }
 
-static bool build_light(SceneLoader *loader, const LightEntry *entry, Light *light)
+#define RANGE_POWER    RANGE_TOLD(0, SCENE_LARGEST_NUMBER, "W", "0 or more")
+#define RANGE_RADIANCE RANGE_TOLD(0, SCENE_LARGEST_NUMBER, "W/(m²·sr)", "0 or more")
+
+static const SceneKey rectangle_keys[] = {
+    {"corner", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a corner"},
+    {"edge_u", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a side, from the corner"},
+    {"edge_v", KEY_THREE, KEY_REQUIRED, RANGE_METRES,
+     "the other side; the light shines to where edge_u × edge_v points"},
+    {"radiance", KEY_COLOUR, KEY_OPTIONAL, RANGE_RADIANCE, "what each of its points sends in each direction"},
+    {"power", KEY_COLOUR, KEY_OPTIONAL, RANGE_POWER, "in place of radiance: all that it sends out, π·area·radiance"},
+    {.name = NULL},
+};
+static const SceneKey sphere_keys[] = {
+    {"centre", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the centre"},
+    {"radius", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "the radius"},
+    {"radiance", KEY_COLOUR, KEY_OPTIONAL, RANGE_RADIANCE, "what each of its points sends in each direction"},
+    {"power", KEY_COLOUR, KEY_OPTIONAL, RANGE_POWER, "in place of radiance: all that it sends out, π·area·radiance"},
+    {.name = NULL},
+};
+static const SceneKey point_keys[] = {
+    {"position", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "where it is"},
+    {"power", KEY_COLOUR, KEY_REQUIRED, RANGE_POWER, "all that it sends out"},
+    {.name = NULL},
+};
+static const SceneKey spot_keys[] = {
+    {"position", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the tip of its cone"},
+    {"target", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a point on the cone's axis"},
+    {"angle", KEY_NUMBER, KEY_REQUIRED, RANGE_ANGLE, "between the axis and the cone's edge"},
+    {"power", KEY_COLOUR, KEY_REQUIRED, RANGE_POWER, "all that it sends out"},
+    {.name = NULL},
+};
+static const SceneKey beam_keys[] = {
+    {"position", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the middle of the disk that sends out the beam"},
+    {"target", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a point that the beam's middle goes through"},
+    {"radius", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "the beam's radius"},
+    {"power", KEY_COLOUR, KEY_REQUIRED, RANGE_POWER, "all that it sends out"},
+    {.name = NULL},
+};
+
+typedef struct {
+    SceneType type;
+    bool (*build)(SceneBuilder *builder, SceneEntry *entry, Light *light);
+} LightKind;
+
+static const LightKind kinds[] = {
+    [LIGHT_RECTANGLE] =
+        {{"rectangle", "rectangle light",
+          "A parallelogram that shines to one side. Exactly one of `radiance` and `power`.", rectangle_keys,
+          "{type: rectangle, corner: [-0.23, 0.99, -0.18], edge_u: [0.46, 0, 0], edge_v: [0, 0, 0.38], radiance: [15, 15, 15]}"},
+         build_rectangle},
+    [LIGHT_SPHERE] = {{"sphere", "sphere light", "A sphere that shines. Exactly one of `radiance` and `power`.",
+                       sphere_keys, "{type: sphere, centre: [0, 0.8, 0], radius: 0.1, power: [8, 8, 8]}"},
+                      build_sphere},
+    [LIGHT_POINT] = {{"point", "point light", "A point that shines evenly to all sides.", point_keys,
+                      "{type: point, position: [0, 0.8, 0], power: [8, 8, 8]}"},
+                     build_point},
+    [LIGHT_SPOT] = {{"spot", "spot light", "A point that shines evenly into a cone.", spot_keys,
+                     "{type: spot, position: [0, 0.9, 0], target: [0, 0, 0], angle: 25, power: [2, 2, 2]}"},
+                    build_spot},
+    [LIGHT_BEAM] =
+        {{"beam", "beam light",
+          "Parallel rays from a disk, like a laser's. The beam itself cannot be seen: there is no dust in the air.",
+          beam_keys,
+          "{type: beam, position: [-0.9, 0, 0], target: [0, 0, 0], radius: 0.003, power: [0.02, 0.02, 0.02]}"},
+         build_beam},
+};
+
+static const SceneType *type_at(size_t i)
 {
-    light->type = (LightType)entry->type;
-    light->primitive = NO_PRIMITIVE;
-    const float *given = entry->power ? entry->power : entry->radiance;
-    if (given && colour_max(colour_from_entry(given)) <= 0)
-        return loader_fault(loader, entry->power ? "power" : "radiance",
-                            "this light is dark; expected a number above 0");
-    if (light->type == LIGHT_RECTANGLE)
-        return build_rectangle(loader, entry, light);
-    if (light->type == LIGHT_SPHERE)
-        return build_sphere(loader, entry, light);
-    light->position = vec3_from_entry(entry->position);
-    light->power = colour_from_entry(entry->power);
-    return light->type == LIGHT_POINT || build_aimed(loader, entry, light);
+    return i < sizeof kinds / sizeof kinds[0] ? &kinds[i].type : NULL;
 }
 
-bool scene_build_lights(SceneLoader *loader)
+static bool build(SceneBuilder *builder, SceneEntry *entry)
 {
-    Scene *scene = loader->scene;
-    size_t count = loader->entries->lights_count;
-    loader->section = &light_section;
-    loader->index = -1;
-    if (count == 0)
-        return loader_fault(loader, NULL, "the scene has no lights; expected at least one under 'lights:'");
-    scene->lights = calloc(count, sizeof *scene->lights);
-    if (!scene->lights)
-        return error_set(loader->error, "%s: not enough memory", loader->file);
-    scene->light_count = count;
-    for (loader->index = 0; loader->index < (int)count; loader->index++)
-        if (!build_light(loader, &loader->entries->lights[loader->index], &scene->lights[loader->index]))
-            return false;
-    return true;
+    const LightKind *kind = &kinds[entry->type_number];
+    const char *brightness = scene_given(entry, "power") ? "power" : "radiance";
+    if (scene_given(entry, brightness) && colour_max(scene_colour(entry, brightness)) <= 0)
+        return scene_fault(entry, brightness, "this light is dark; expected a number above 0");
+    Light light = {.type = (LightType)entry->type_number, .primitive = NO_PRIMITIVE};
+    return kind->build(builder, entry, &light) && scene_add_light(builder, &light);
 }
+
+static const SceneKey keys[] = {
+    {"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"},
+    {.name = NULL},
+};
+
+const SceneSection light_section = {"lights", "What gives light.", MAX_LIGHTS, true, keys, type_at, build};

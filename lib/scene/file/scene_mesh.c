@@ -1,5 +1,5 @@
 // Meshes: read, placed, and made into triangles of the scene.
-#include "scene/file/scene_load.h"
+#include "scene/file/scene_build.h"
 
 #include "scene/file/obj.h"
 #include "base/text.h"
@@ -16,21 +16,22 @@ typedef struct {
     float scale;
 } Placement;
 
-static Vec3 turned_axis(Vec3 axis, const float *degrees)
+static Vec3 turned_axis(Vec3 axis, Vec3 degrees)
 {
-    for (int i = 0; i < 3 && degrees; i++)
-        axis = scene_rotate(axis, i, degrees[i]);
+    for (int i = 0; i < 3; i++)
+        axis = scene_rotate(axis, i, vec3_component(degrees, i));
     return axis;
 }
 
-static Placement placement_of(const ShapeEntry *entry)
+static Placement placement_of(SceneEntry *entry)
 {
+    Vec3 degrees = scene_three(entry, "rotate");
     return (Placement){
-        .x = turned_axis(vec3(1, 0, 0), entry->rotate),
-        .y = turned_axis(vec3(0, 1, 0), entry->rotate),
-        .z = turned_axis(vec3(0, 0, 1), entry->rotate),
-        .translate = entry->translate ? vec3_from_entry(entry->translate) : vec3(0, 0, 0),
-        .scale = entry->scale ? *entry->scale : 1.0f,
+        .x = turned_axis(vec3(1, 0, 0), degrees),
+        .y = turned_axis(vec3(0, 1, 0), degrees),
+        .z = turned_axis(vec3(0, 0, 1), degrees),
+        .translate = scene_three(entry, "translate"),
+        .scale = scene_number(entry, "scale"),
     };
 }
 
@@ -39,7 +40,7 @@ static Vec3 turned(const Placement *placement, Vec3 v)
     return vec3_along(vec3_along(vec3_scale(placement->x, v.x), placement->y, v.y), placement->z, v.z);
 }
 
-static bool place_mesh(const SceneLoader *loader, ObjMesh *mesh, const Placement *placement)
+static bool place_mesh(const SceneEntry *entry, ObjMesh *mesh, const Placement *placement)
 {
     for (size_t i = 0; i < mesh->normal_count; i++)
         mesh->normals[i] = turned(placement, mesh->normals[i]);
@@ -48,16 +49,16 @@ static bool place_mesh(const SceneLoader *loader, ObjMesh *mesh, const Placement
         mesh->points[i] = p;
         float most = fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z)));
         if (most > (float)SCENE_LARGEST_NUMBER)
-            return loader_fault(loader, "scale",
-                                "scale and translate put a point of the mesh %g m away; expected at most %g", most,
-                                SCENE_LARGEST_NUMBER);
+            return scene_fault(entry, "scale",
+                               "scale and translate put a point of the mesh %g m away; expected at most %g", most,
+                               SCENE_LARGEST_NUMBER);
     }
     return true;
 }
 
 // Corner normals are kept unless one of them looks to the other side than the face: such a mesh contradicts
 // itself there, and the face's own normal is the one that tells inside from outside.
-static bool add_corner_normals(SceneLoader *loader, const ObjMesh *mesh, const ObjTriangle *triangle, Flat *flat)
+static bool add_corner_normals(SceneBuilder *builder, const ObjMesh *mesh, const ObjTriangle *triangle, Flat *flat)
 {
     Vec3 face = vec3_cross(flat->edge_u, flat->edge_v), corners[3];
     for (int i = 0; i < 3; i++) {
@@ -65,34 +66,34 @@ static bool add_corner_normals(SceneLoader *loader, const ObjMesh *mesh, const O
         if (vec3_dot(corners[i], face) <= 0.0f)
             return true;
     }
-    flat->normals = (uint32_t)(loader->scene->normal_count + 1) & 0x7fffffffu;
-    return scene_add_normals(loader, corners);
+    flat->normals = (uint32_t)(builder->scene->normal_count + 1) & 0x7fffffffu;
+    return scene_add_normals(builder, corners);
 }
 
 // The scene's numbers of the mesh's materials, and last that of faces without any. The caller frees them.
-static uint32_t *mesh_materials(const SceneLoader *loader, const ObjMesh *mesh, const char *path, uint32_t unnamed)
+static uint32_t *mesh_materials(const SceneBuilder *builder, const ObjMesh *mesh, const char *path, uint32_t unnamed)
 {
     uint32_t *numbers = malloc((mesh->material_count + 1) * sizeof *numbers);
     if (!numbers) {
-        error_set(loader->error, "%s: not enough memory", path);
+        error_set(builder->source.error, "%s: not enough memory", path);
         return NULL;
     }
     numbers[mesh->material_count] = unnamed;
     for (size_t i = 0; i < mesh->material_count; i++) {
         const ObjMaterial *material = &mesh->materials[i];
-        if (scene_find_material(loader, material->name, &numbers[i]))
+        if (scene_find_material(builder, material->name, &numbers[i]))
             continue;
         char suggestion[400];
-        scene_suggest_material(loader, material->name, suggestion, sizeof suggestion);
-        error_set(loader->error, "%s:%ld: usemtl '%s' is no material of %s; %s", path, material->line, material->name,
-                  loader->file, suggestion);
+        scene_suggest_material(builder, material->name, suggestion, sizeof suggestion);
+        error_set(builder->source.error, "%s:%ld: usemtl '%s' is no material of %s; %s", path, material->line,
+                  material->name, builder->source.file, suggestion);
         free(numbers);
         return NULL;
     }
     return numbers;
 }
 
-static bool add_mesh(SceneLoader *loader, const ObjMesh *mesh, const uint32_t *materials)
+static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMesh *mesh, const uint32_t *materials)
 {
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         const ObjTriangle *triangle = &mesh->triangles[i];
@@ -106,14 +107,14 @@ static bool add_mesh(SceneLoader *loader, const ObjMesh *mesh, const uint32_t *m
             .is_triangle = 1,
         };
         if (flat.material == NO_MATERIAL)
-            return loader_fault(loader, NULL, "this mesh has faces without usemtl; expected a 'material' for them");
+            return scene_fault(entry, NULL, "this mesh has faces without usemtl; expected a 'material' for them");
         if (flat_is_degenerate(flat.edge_u, flat.edge_v))
-            return loader_fault(loader, NULL,
-                                "a triangle of this mesh vanishes by its scale or its distance from 0; "
-                                "expected a larger scale or a smaller translate");
-        if (triangle->normal[0] != OBJ_NONE && !add_corner_normals(loader, mesh, triangle, &flat))
+            return scene_fault(entry, NULL,
+                               "a triangle of this mesh vanishes by its scale or its distance from 0; "
+                               "expected a larger scale or a smaller translate");
+        if (triangle->normal[0] != OBJ_NONE && !add_corner_normals(builder, mesh, triangle, &flat))
             return false;
-        if (!scene_add_flat(loader, flat))
+        if (!scene_add_flat(builder, flat))
             return false;
     }
     return true;
@@ -129,29 +130,30 @@ static char *mesh_path(const char *folder, const char *file)
     return path;
 }
 
-static bool add_text(SceneLoader *loader, const ShapeEntry *entry, const char *text, size_t size, const char *path,
+static bool add_text(SceneBuilder *builder, SceneEntry *entry, const char *text, size_t size, const char *path,
                      uint32_t material)
 {
     ObjMesh mesh;
     uint32_t *materials = NULL;
     Placement placement = placement_of(entry);
-    bool fine = obj_read_text(text, size, path, &mesh, loader->error) && place_mesh(loader, &mesh, &placement) &&
-                (materials = mesh_materials(loader, &mesh, path, material)) && add_mesh(loader, &mesh, materials);
+    bool fine = obj_read_text(text, size, path, &mesh, builder->source.error) && place_mesh(entry, &mesh, &placement) &&
+                (materials = mesh_materials(builder, &mesh, path, material)) &&
+                add_mesh(builder, entry, &mesh, materials);
     free(materials);
     obj_free(&mesh);
     return fine;
 }
 
-bool scene_build_mesh(SceneLoader *loader, const ShapeEntry *entry, uint32_t material)
+bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
 {
-    if (!loader->folder)
-        return loader_fault(loader, "file", "meshes are not read here");
-    char *path = mesh_path(loader->folder, entry->file);
+    if (!builder->folder)
+        return scene_fault(entry, "file", "meshes are not read here");
+    char *path = mesh_path(builder->folder, scene_word(entry, "file"));
     Error unread = {""};
     size_t size = 0;
     char *text = path ? text_read_file(path, LARGEST_OBJ_FILE, &size, &unread) : NULL;
-    bool fine = text ? add_text(loader, entry, text, size, path, material)
-                     : loader_fault(loader, "file", "the mesh %s", unread.message);
+    bool fine = text ? add_text(builder, entry, text, size, path, material)
+                     : scene_fault(entry, "file", "the mesh %s", unread.message);
     free(text);
     free(path);
     return fine;

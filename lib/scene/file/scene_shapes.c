@@ -1,114 +1,27 @@
-#include "scene/file/scene_load.h"
+#include "scene/file/scene_build.h"
 
-#include "base/array.h"
-#include "base/text.h"
-
-#include <string.h>
-
-static bool memory_fault(const SceneLoader *loader)
+static bool build_sphere(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
 {
-    return error_set(loader->error, "%s: not enough memory for the shapes", loader->file);
+    return scene_add_sphere(builder, (Sphere){scene_three(entry, "centre"), scene_number(entry, "radius"), material});
 }
 
-bool scene_add_flat(SceneLoader *loader, Flat flat)
+static bool build_rectangle(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
 {
-    Scene *scene = loader->scene;
-    Flat *flats = array_reserve(scene->flats, scene->flat_count, &loader->flat_capacity, sizeof flat);
-    if (!flats)
-        return memory_fault(loader);
-    scene->flats = flats;
-    flats[scene->flat_count++] = flat;
-    return true;
+    Flat flat = {.origin = scene_three(entry, "corner"), .material = material};
+    flat.edge_u = scene_three(entry, "edge_u");
+    flat.edge_v = scene_three(entry, "edge_v");
+    return scene_check_edges(entry, "edge_v", flat.edge_u, flat.edge_v) && scene_add_flat(builder, flat);
 }
 
-bool scene_add_sphere(SceneLoader *loader, Sphere sphere)
+static bool build_box(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
 {
-    Scene *scene = loader->scene;
-    Sphere *spheres = array_reserve(scene->spheres, scene->sphere_count, &loader->sphere_capacity, sizeof sphere);
-    if (!spheres)
-        return memory_fault(loader);
-    scene->spheres = spheres;
-    spheres[scene->sphere_count++] = sphere;
-    return true;
-}
-
-bool scene_add_normals(SceneLoader *loader, const Vec3 corners[3])
-{
-    Scene *scene = loader->scene;
-    for (int i = 0; i < 3; i++) {
-        Vec3 *normals = array_reserve(scene->normals, scene->normal_count, &loader->normal_capacity, sizeof *normals);
-        if (!normals)
-            return memory_fault(loader);
-        scene->normals = normals;
-        normals[scene->normal_count++] = corners[i];
-    }
-    return true;
-}
-
-bool scene_check_edges(const SceneLoader *loader, const char *key, Vec3 edge_u, Vec3 edge_v)
-{
-    return !flat_is_degenerate(edge_u, edge_v) ||
-           loader_fault(loader, key,
-                        "edge_u (%g, %g, %g) and edge_v (%g, %g, %g) are zero or parallel; expected two sides "
-                        "that span an area",
-                        edge_u.x, edge_u.y, edge_u.z, edge_v.x, edge_v.y, edge_v.z);
-}
-
-static const char *material_name(const void *entries, size_t i)
-{
-    const SceneEntries *all = entries;
-    return i < all->materials_count ? all->materials[i].name : NULL;
-}
-
-bool scene_find_material(const SceneLoader *loader, const char *name, uint32_t *material)
-{
-    const char *known;
-    for (size_t i = 0; (known = material_name(loader->entries, i)); i++) {
-        if (strcmp(known, name) != 0)
-            continue;
-        *material = (uint32_t)i;
-        return true;
-    }
-    return false;
-}
-
-void scene_suggest_material(const SceneLoader *loader, const char *name, char *message, size_t size)
-{
-    text_suggest(message, size, name, material_name, loader->entries);
-}
-
-static bool build_sphere(SceneLoader *loader, const ShapeEntry *entry, uint32_t material)
-{
-    return scene_add_sphere(loader, (Sphere){vec3_from_entry(entry->centre), *entry->radius, material});
-}
-
-static bool build_rectangle(SceneLoader *loader, const ShapeEntry *entry, uint32_t material)
-{
-    Flat flat = {.origin = vec3_from_entry(entry->corner), .material = material};
-    flat.edge_u = vec3_from_entry(entry->edge_u);
-    flat.edge_v = vec3_from_entry(entry->edge_v);
-    return scene_check_edges(loader, "edge_v", flat.edge_u, flat.edge_v) && scene_add_flat(loader, flat);
-}
-
-Vec3 scene_rotate(Vec3 p, int axis, float degrees)
-{
-    float c = cosf(degrees * (PI / 180.0f)), s = sinf(degrees * (PI / 180.0f));
-    if (axis == 0)
-        return vec3(p.x, c * p.y - s * p.z, s * p.y + c * p.z);
-    if (axis == 1)
-        return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x);
-    return vec3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
-}
-
-static bool build_box(SceneLoader *loader, const ShapeEntry *entry, uint32_t material)
-{
-    Vec3 low = vec3_from_entry(entry->low), high = vec3_from_entry(entry->high);
+    Vec3 low = scene_three(entry, "low"), high = scene_three(entry, "high");
     Vec3 size = vec3_sub(high, low), centre = vec3_scale(vec3_add(low, high), 0.5f);
     for (int i = 0; i < 3; i++)
         if (vec3_component(size, i) < SCENE_SMALLEST_LENGTH)
-            return loader_fault(loader, "high", "high is not above low in %c (%g to %g); expected a larger number",
-                                "xyz"[i], vec3_component(low, i), vec3_component(high, i));
-    float angle = entry->rotate_y ? *entry->rotate_y : 0.0f;
+            return scene_fault(entry, "high", "high is not above low in %c (%g to %g); expected a larger number",
+                               "xyz"[i], vec3_component(low, i), vec3_component(high, i));
+    float angle = scene_number(entry, "rotate_y");
     Vec3 edges[3] = {scene_rotate(vec3(size.x, 0, 0), 1, angle), vec3(0, size.y, 0),
                      scene_rotate(vec3(0, 0, size.z), 1, angle)};
     Vec3 corner = vec3_add(centre, scene_rotate(vec3_sub(low, centre), 1, angle));
@@ -118,27 +31,27 @@ static bool build_box(SceneLoader *loader, const ShapeEntry *entry, uint32_t mat
         Vec3 j = edges[(i + 1) % 3], k = edges[(i + 2) % 3];
         Flat near_face = {corner, k, j, material, 0, 0};
         Flat far_face = {vec3_add(corner, edges[i]), j, k, material, 0, 0};
-        if (!scene_check_edges(loader, "high", j, k) || !scene_add_flat(loader, near_face) ||
-            !scene_add_flat(loader, far_face))
+        if (!scene_check_edges(entry, "high", j, k) || !scene_add_flat(builder, near_face) ||
+            !scene_add_flat(builder, far_face))
             return false;
     }
     return true;
 }
 
-static bool build_prism(SceneLoader *loader, const ShapeEntry *entry, uint32_t material)
+static bool build_prism(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
 {
-    Vec3 axis = vec3_from_entry(entry->axis), down = vec3_from_entry(entry->down);
+    Vec3 axis = scene_three(entry, "axis"), down = scene_three(entry, "down");
     if (flat_is_degenerate(axis, down))
-        return loader_fault(loader, "down",
-                            "axis and down are zero or parallel; expected the edge's direction and one away from it");
+        return scene_fault(entry, "down",
+                           "axis and down are zero or parallel; expected the edge's direction and one away from it");
     axis = vec3_normalize(axis);
     down = vec3_normalize(vec3_sub(down, vec3_scale(axis, vec3_dot(axis, down))));
     Vec3 sideways = vec3_cross(axis, down);
-    float half_angle = 0.5f * *entry->angle * (PI / 180.0f);
-    Vec3 height = vec3_scale(down, *entry->side * cosf(half_angle));
-    Vec3 half_base = vec3_scale(sideways, *entry->side * sinf(half_angle));
-    Vec3 along = vec3_scale(axis, *entry->length);
-    Vec3 apex = vec3_along(vec3_from_entry(entry->apex), along, -0.5f);
+    float half_angle = 0.5f * scene_number(entry, "angle") * (PI / 180.0f);
+    Vec3 height = vec3_scale(down, scene_number(entry, "side") * cosf(half_angle));
+    Vec3 half_base = vec3_scale(sideways, scene_number(entry, "side") * sinf(half_angle));
+    Vec3 along = vec3_scale(axis, scene_number(entry, "length"));
+    Vec3 apex = vec3_along(scene_three(entry, "apex"), along, -0.5f);
     Vec3 side_1 = vec3_add(height, half_base), side_2 = vec3_sub(height, half_base);
     // axis, down and sideways are right-handed; so all edge_u × edge_v below point out of the glass.
     Flat faces[5] = {
@@ -150,41 +63,104 @@ static bool build_prism(SceneLoader *loader, const ShapeEntry *entry, uint32_t m
     };
     for (int i = 0; i < 5; i++) {
         if (flat_is_degenerate(faces[i].edge_u, faces[i].edge_v))
-            return loader_fault(loader, "angle",
-                                "this prism is too thin to have an inside; expected larger angle, side or length");
-        if (!scene_add_flat(loader, faces[i]))
+            return scene_fault(entry, "angle",
+                               "this prism is too thin to have an inside; expected larger angle, side or length");
+        if (!scene_add_flat(builder, faces[i]))
             return false;
     }
     return true;
 }
 
-static bool build_shape(SceneLoader *loader, const ShapeEntry *entry)
+// clang-format off
+#define MATERIAL_ROW {"material", KEY_WORD, KEY_REQUIRED, RANGE_NAME, "the name of its material"}
+// clang-format on
+
+static const SceneKey sphere_keys[] = {
+    {"centre", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the centre"},
+    {"radius", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "the radius"},
+    MATERIAL_ROW,
+    {.name = NULL},
+};
+static const SceneKey rectangle_keys[] = {
+    {"corner", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a corner"},
+    {"edge_u", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a side, from the corner"},
+    {"edge_v", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the other side; edge_u × edge_v points to its outside"},
+    MATERIAL_ROW,
+    {.name = NULL},
+};
+static const SceneKey box_keys[] = {
+    {"low", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the corner with the least x, y and z"},
+    {"high", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the corner with the largest"},
+    MATERIAL_ROW,
+    {"rotate_y", KEY_NUMBER, "0", RANGE_DEGREES,
+     "turns the box about the upright line through its middle, counter-clockwise seen from above"},
+    {.name = NULL},
+};
+static const SceneKey prism_keys[] = {
+    {"apex", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the middle of its upper edge"},
+    {"axis", KEY_THREE, KEY_REQUIRED, RANGE_ANY, "which way this edge runs; any length"},
+    {"down", KEY_THREE, KEY_REQUIRED, RANGE_ANY,
+     "from the edge to the middle of the base; only what is at right angles to axis counts"},
+    {"angle", KEY_NUMBER, KEY_REQUIRED, RANGE_ANGLE, "between the two faces that meet in the edge"},
+    {"side", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "how far these faces go from the edge"},
+    {"length", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "length of the edge"},
+    MATERIAL_ROW,
+    {.name = NULL},
+};
+static const SceneKey mesh_keys[] = {
+    {"file", KEY_WORD, KEY_REQUIRED, RANGE(1, 1023, "characters"),
+     "an OBJ file; the path begins at the scene's folder"},
+    {"material", KEY_WORD, KEY_OPTIONAL, RANGE_NAME, "the material of faces for which the file gives none by usemtl"},
+    {"scale", KEY_NUMBER, "1", RANGE_FACTOR, "first the mesh is made so much larger"},
+    {"rotate", KEY_THREE, "[0, 0, 0]", RANGE_DEGREES,
+     "then turned about the x axis, the y axis and the z axis, in this order, counter-clockwise seen against the axis"},
+    {"translate", KEY_THREE, "[0, 0, 0]", RANGE_METRES, "then moved"},
+    {.name = NULL},
+};
+
+typedef struct {
+    SceneType type;
+    bool (*build)(SceneBuilder *builder, SceneEntry *entry, uint32_t material);
+} ShapeKind;
+
+static const ShapeKind kinds[] = {
+    {{"sphere", "sphere", "A sphere; its outside is out.", sphere_keys,
+      "{type: sphere, centre: [0.4, -0.65, 0.25], radius: 0.35, material: clear}"},
+     build_sphere},
+    {{"rectangle", "rectangle", "A parallelogram.", rectangle_keys,
+      "{type: rectangle, corner: [-1, -1, -1], edge_u: [0, 0, 2], edge_v: [2, 0, 0], material: white}"},
+     build_rectangle},
+    {{"box", "box", "A box.", box_keys,
+      "{type: box, low: [0.1, -1, -0.2], high: [0.5, 0.2, 0.2], rotate_y: 18, material: white}"},
+     build_box},
+    {{"prism", "prism", "A prism with three sides, two of them alike.", prism_keys,
+      "{type: prism, apex: [0, 0.5, 0], axis: [0, 0, 1], down: [0, -1, 0], angle: 60, side: 0.4, length: 0.6, material: clear}"},
+     build_prism},
+    {{"mesh", "mesh", "Triangles from a Wavefront OBJ file.", mesh_keys,
+      "{type: mesh, file: meshes/diamond.obj, material: clear, scale: 0.5, rotate: [0, 30, 0]}"},
+     scene_build_mesh},
+};
+
+static const SceneType *type_at(size_t i)
+{
+    return i < sizeof kinds / sizeof kinds[0] ? &kinds[i].type : NULL;
+}
+
+static bool build(SceneBuilder *builder, SceneEntry *entry)
 {
     uint32_t material = NO_MATERIAL;
-    if (entry->material && !scene_find_material(loader, entry->material, &material)) {
+    const char *name = scene_word(entry, "material");
+    if (name && !scene_find_material(builder, name, &material)) {
         char suggestion[400];
-        scene_suggest_material(loader, entry->material, suggestion, sizeof suggestion);
-        return loader_fault(loader, "material", "there is no material '%s'; %s", entry->material, suggestion);
+        scene_suggest_material(builder, name, suggestion, sizeof suggestion);
+        return scene_fault(entry, "material", "there is no material '%s'; %s", name, suggestion);
     }
-    switch ((ShapeType)entry->type) {
-    case SHAPE_SPHERE:
-        return build_sphere(loader, entry, material);
-    case SHAPE_RECTANGLE:
-        return build_rectangle(loader, entry, material);
-    case SHAPE_BOX:
-        return build_box(loader, entry, material);
-    case SHAPE_PRISM:
-        return build_prism(loader, entry, material);
-    default:
-        return scene_build_mesh(loader, entry, material);
-    }
+    return kinds[entry->type_number].build(builder, entry, material);
 }
 
-bool scene_build_shapes(SceneLoader *loader)
-{
-    loader->section = &shape_section;
-    for (loader->index = 0; loader->index < (int)loader->entries->shapes_count; loader->index++)
-        if (!build_shape(loader, &loader->entries->shapes[loader->index]))
-            return false;
-    return true;
-}
+static const SceneKey keys[] = {
+    {"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"},
+    {.name = NULL},
+};
+
+const SceneSection shape_section = {"shapes", "What light falls on.", MAX_SHAPES, false, keys, type_at, build};

@@ -1,0 +1,29 @@
+// What building lights and shapes needs of the scene half made.
+#ifndef PHOTONLAB_SCENE_SCENE_BUILD_H
+#define PHOTONLAB_SCENE_SCENE_BUILD_H
+
+#include "scene/file/scene_section.h"
+
+#define NO_MATERIAL UINT32_MAX
+
+// The count of lights, flats, spheres or normals grows. False when memory is short.
+bool scene_add_light(SceneBuilder *builder, const Light *light);
+bool scene_add_flat(SceneBuilder *builder, Flat flat);
+bool scene_add_sphere(SceneBuilder *builder, Sphere sphere);
+bool scene_add_normals(SceneBuilder *builder, const Vec3 corners[3]);
+
+// May these be sides of a flat? If not, says why at `key`.
+bool scene_check_edges(const SceneEntry *entry, const char *key, Vec3 edge_u, Vec3 edge_v);
+
+// The number of a material of the file; false, and *material unchanged, when there is none of that name.
+bool scene_find_material(const SceneBuilder *builder, const char *name, uint32_t *material);
+// "did you mean …" for a name that is none.
+void scene_suggest_material(const SceneBuilder *builder, const char *name, char *message, size_t size);
+
+// A mesh's triangles; `material` for faces without usemtl, NO_MATERIAL when there is none.
+bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t material);
+
+// Turns by an angle in degrees about axis 0, 1 or 2, counter-clockwise for who looks against the axis.
+Vec3 scene_rotate(Vec3 p, int axis, float degrees);
+
+#endif

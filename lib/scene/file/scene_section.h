@@ -1,0 +1,41 @@
+// The sections of a scene file: camera, render, materials, lights, shapes. Their table is the whole format: what may
+// stand in each, and what is made of it.
+#ifndef PHOTONLAB_SCENE_SCENE_SECTION_H
+#define PHOTONLAB_SCENE_SCENE_SECTION_H
+
+#include "scene/limits.h"
+#include "scene/scene.h"
+#include "scene/scene_entry.h"
+
+// A scene half made.
+typedef struct {
+    SceneSource source;
+    const char *folder;    // where meshes are looked for, with a slash at its end; NULL: none are read
+    Scene *scene;          // a light's sphere counts from 0 in it until all flats are known
+    size_t file_materials; // that the file names; those of shining surfaces stand behind them
+    size_t light_capacity, flat_capacity, sphere_capacity, normal_capacity;
+} SceneBuilder;
+
+typedef struct {
+    const char *name, *meaning;
+    size_t most;          // entries of a list; 0: the section is a single entry
+    bool required;        // this entry, or at least one of the list
+    const SceneKey *keys; // that entries of every type have
+    // Type number i, NULL past the last. A section without KEY_TYPE has one.
+    const SceneType *(*type_at)(size_t i);
+    // Makes an entry a part of the scene, and refuses what only shows in combination.
+    bool (*build)(SceneBuilder *builder, SceneEntry *entry);
+} SceneSection;
+
+enum { SCENE_SECTIONS = 5 };
+extern const SceneSection *const scene_sections[SCENE_SECTIONS]; // in the order in which they are built
+extern const SceneSection camera_section, render_section, material_section, light_section, shape_section;
+
+// The rows of a section, each name once; gives how many.
+#define MOST_SECTION_KEYS 64
+size_t scene_section_keys(const SceneSection *section, const SceneKey *keys[MOST_SECTION_KEYS]);
+
+// "low to high unit", or the range's own words.
+void scene_range_words(const SceneRange *range, char *text, size_t size);
+
+#endif
