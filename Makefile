@@ -28,10 +28,10 @@ SYSTEM := $(shell uname -s)
 OPTIMISE ?= -O3
 STANDARD  = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno
 OPENMP   := $(shell echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp)
-PACKAGES  = libpng libcyaml yaml-0.1
+PACKAGES  = libpng yaml-0.1
 PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
-PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lcyaml -lyaml)
+PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lyaml)
 
 override CFLAGS += $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(EXTRA)
 LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(OPENMP)
@@ -179,7 +179,7 @@ size:
 
 ##   check-arm         the unit tests built for aarch64 and emulated, and one picture against this machine's to the byte (on
 ##                     Debian: gcc-aarch64-linux-gnu, qemu-user, and the libraries of `make setup` with :arm64)
-ARM = BUILD=$(BUILD)/arm CC=aarch64-linux-gnu-gcc PKG_CFLAGS= PKG_LIBS="-lpng -lcyaml -lyaml"
+ARM = BUILD=$(BUILD)/arm CC=aarch64-linux-gnu-gcc PKG_CFLAGS= PKG_LIBS="-lpng -lyaml"
 PICTURE = render scenes/box_glass.yaml --size 97x61 --photons 60000 --samples 3 --quiet
 check-arm: all meshes
 	@RUNNER="qemu-aarch64 -L /" $(MAKE) $(ARM) check-unit
