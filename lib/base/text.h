@@ -26,6 +26,13 @@ typedef const char *(*TextNameAt)(const void *list, size_t i);
 // one of: a, b".
 void text_suggest(char *message, size_t size, const char *word, TextNameAt name_at, const void *list);
 
+// snprintf behind the text that is there already; cut off at the end of `size` bytes.
+void text_append(char *text, size_t size, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+
 // Makes control characters, which could upset a terminal, into '?'.
 void text_make_printable(char *text);
 
