@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_PREVIEW_PREVIEW_H
 #define PHOTONLAB_PREVIEW_PREVIEW_H
 
-#include "preview/draw/context.h"
+#include "preview/draw/context/context.h"
 #include "preview/run/run.h"
 #include "preview/view/view.h"
 

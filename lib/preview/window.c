@@ -4,7 +4,7 @@
 
 #ifdef HAVE_GLFW_HEADER
 
-#include "preview/draw/library.h"
+#include "preview/draw/context/library.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 #include "preview/draw/gl.h"
-#include "preview/draw/library.h"
+
+#include <string.h>
 
 bool gl_load(Gl *gl, GlLoader loader, Error *error)
 {
@@ -7,7 +8,7 @@ bool gl_load(Gl *gl, GlLoader loader, Error *error)
 #define LOAD(result, name, parameters)                                                                                 \
     if (!(address = loader("gl" #name)))                                                                               \
         return error_set(error, "this OpenGL has no gl" #name "; the preview needs OpenGL 3.3");                       \
-    library_address_to_function(address, &gl->name);
+    memcpy(&gl->name, &address, sizeof address); // C99 has no cast to a function
     GL_FUNCTIONS(LOAD)
 #undef LOAD
     int major = 0, minor = 0;

@@ -3,7 +3,7 @@
 #define PHOTONLAB_TESTS_CANVAS_HELPERS_H
 
 #include "unit/preview/canvas_leaks.h"
-#include "preview/draw/context.h"
+#include "preview/draw/context/context.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 // Where the preview draws: the same bytes from OSMesa, EGL and a window, and what is said when they are missing.
-#include "preview/draw/context.h"
+#include "preview/draw/context/context.h"
 #include "preview/window.h"
 
 #include <setjmp.h>

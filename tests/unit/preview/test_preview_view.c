@@ -1,6 +1,6 @@
 // The preview's view: wireframes, colours, what is chosen of the photons; and what all that looks like.
 #include "unit/preview/canvas_leaks.h"
-#include "preview/draw/context.h"
+#include "preview/draw/context/context.h"
 #include "preview/view/view_internal.h"
 #include "unit/test_common.h"
 

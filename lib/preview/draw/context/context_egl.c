@@ -1,6 +1,6 @@
 // EGL without a display: Mesa's surfaceless platform, or else whatever display EGL has by default.
-#include "preview/draw/context_internal.h"
-#include "preview/draw/library.h"
+#include "preview/draw/context/context_internal.h"
+#include "preview/draw/context/library.h"
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 // OSMesa: Mesa's software OpenGL that draws into memory.
-#include "preview/draw/context_internal.h"
-#include "preview/draw/library.h"
+#include "preview/draw/context/context_internal.h"
+#include "preview/draw/context/library.h"
 
 #include <stddef.h>
 

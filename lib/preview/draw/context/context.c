@@ -1,4 +1,4 @@
-#include "preview/draw/context_internal.h"
+#include "preview/draw/context/context_internal.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_PREVIEW_CONTEXT_INTERNAL_H
 #define PHOTONLAB_PREVIEW_CONTEXT_INTERNAL_H
 
-#include "preview/draw/context.h"
+#include "preview/draw/context/context.h"
 
 struct Context {
     const char *name;

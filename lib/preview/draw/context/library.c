@@ -1,4 +1,4 @@
-#include "preview/draw/library.h"
+#include "preview/draw/context/library.h"
 
 #include <dlfcn.h>
 #include <stdlib.h>
