@@ -24,7 +24,7 @@ typedef struct {
 } CommandLine;
 
 #define FLAG_COUNT(flags) (int)(sizeof(flags) / sizeof *(flags))
-#define MOST_FLAGS        32
+#define MOST_FLAGS        64
 
 // 0: all values are filled in, file[0 …] point to the files' names (those not given stay). Otherwise the message is
 // printed and this is the exit code, or HELP_SHOWN.

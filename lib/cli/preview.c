@@ -1,24 +1,22 @@
 #include "cli/cli.h"
 #include "cli/preview_photons.h"
+#include "base/text.h"
 #include "preview/preview.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 
-static const char help[] =
+static const char help_begin[] =
     "usage: photonlab preview SCENE [flags]\n"
     "\n"
     "Opens a window on the photons of a scene; the key h lists what can be done there. With --snapshot it writes that picture\n"
     "and needs no display.\n"
     "\n"
     "  --snapshot FILE.png  where to; in the window: where the key `s` writes (build/preview.png)\n"
-    "  --every-save         without a display: the snapshot anew after every save\n"
-    "  --view NAME          points   stored photons (default)\n"
-    "                       paths    the first paths as lines; --path I chooses one, --bounce B its legs up to that one\n"
-    "                       lobe     10000 samples of the scatter step over the lobe of the equation; --exponent N,\n"
-    "                                --angle DEGREES of the mirror direction to the normal, --diffuse\n"
-    "                       screen   arrivals on one flat surface; --surface I\n"
-    "                       tree     cells of the photon map; --level N halvings deep\n"
+    "  --every-save         without a display: the snapshot anew after every save\n";
+// Between them: the views.
+static const char help_end[] =
     "  --colour NAME        power, photon, bounce or material\n"
     "  --split              the reference beside it\n"
     "  --camera PX,PY,PZ,TX,TY,TZ   from where and to where; --frame: all of the scene\n"
@@ -44,12 +42,69 @@ static const char help[] =
 
 typedef struct {
     const char *scene, *view, *colour, *camera, *framing, *size, *steps, *context, *photons_file, *reference_file;
-    bool every_save, frame, no_wireframe, split, diffuse;
-    float exponent, angle, flight;
-    int surface, level, bounce;
-    long path;
+    bool every_save, frame, no_wireframe, split;
+    float flight;
+    union {
+        long whole;
+        float number;
+        bool on;
+    } settings[VIEW_COUNT][MOST_SETTINGS];
     PreviewOptions options;
 } Arguments;
+
+// The help, with the views and their flags, a line or more each.
+static void list_flags(char *text, size_t size)
+{
+    const char *flag = "  --view NAME";
+    snprintf(text, size, "%s", help_begin);
+    for (int i = 0; i < VIEW_COUNT; i++) {
+        const char *name = view_types[i]->name;
+        for (const char *line = view_types[i]->help; *line; line += strcspn(line, "\n") + 1) {
+            text_append(text, size, "%-23s%-8s %.*s\n", flag, name, (int)strcspn(line, "\n"), line);
+            flag = name = "";
+        }
+    }
+    text_append(text, size, "%s", help_end);
+}
+
+// The flags of all views' settings; returns how many there are then.
+static int add_settings(Arguments *a, Flag *flags, int count)
+{
+    static const FlagKind KINDS[] = {
+        [SETTING_WHOLE] = FLAG_LONG, [SETTING_NUMBER] = FLAG_FLOAT, [SETTING_SWITCH] = FLAG_PRESENT};
+    for (int i = 0; i < VIEW_COUNT; i++)
+        for (int j = 0; j < MOST_SETTINGS && count < MOST_FLAGS; j++) {
+            const ViewSetting *setting = &view_types[i]->settings[j];
+            if (!setting->flag)
+                break;
+            if (setting->kind == SETTING_WHOLE)
+                a->settings[i][j].whole = LONG_MIN;
+            else if (setting->kind == SETTING_NUMBER)
+                a->settings[i][j].number = NAN;
+            flags[count++] =
+                (Flag){setting->flag, KINDS[setting->kind], &a->settings[i][j], setting->low, setting->high};
+        }
+    return count;
+}
+
+static void take_settings(const Arguments *a, View *view)
+{
+    for (int i = 0; i < VIEW_COUNT; i++)
+        for (int j = 0; j < MOST_SETTINGS && view_types[i]->settings[j].flag; j++) {
+            double *value = &view->settings[i][j];
+            switch (view_types[i]->settings[j].kind) {
+            case SETTING_WHOLE:
+                *value = a->settings[i][j].whole == LONG_MIN ? *value : (double)a->settings[i][j].whole;
+                break;
+            case SETTING_NUMBER:
+                *value = isnan(a->settings[i][j].number) ? *value : (double)a->settings[i][j].number;
+                break;
+            case SETTING_SWITCH:
+                *value = a->settings[i][j].on;
+                break;
+            }
+        }
+}
 
 static bool parse_names(Arguments *a)
 {
@@ -57,9 +112,10 @@ static bool parse_names(Arguments *a)
     Error error = {""};
     ViewKind kind;
     ColourMode mode;
-    char after;
+    char after, names[400];
+    view_kind_names(names, sizeof names);
     if (a->view && !view_kind_parse(a->view, &kind))
-        error_set(&error, "--view %s: expected points, paths, lobe, screen or tree", a->view);
+        error_set(&error, "--view %s: expected %s", a->view, names);
     if (a->colour && !colour_mode_parse(a->colour, &mode))
         error_set(&error, "--colour %s: expected power, photon, bounce or material", a->colour);
     if (a->size && (sscanf(a->size, "%dx%d%c", &options->width, &options->height, &after) != 2 || options->width < 64 ||
@@ -93,21 +149,14 @@ static bool parse_names(Arguments *a)
 // 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
-    *a = (Arguments){.exponent = -1, .angle = -1, .flight = -1, .surface = -1, .level = -1, .bounce = -1, .path = -1};
+    *a = (Arguments){.flight = -1};
     a->options = (PreviewOptions){
         .width = 1280, .height = 720, .photons = PREVIEW_PHOTONS, .recorded = PREVIEW_PATHS, .seed = 1};
     PreviewOptions *o = &a->options;
-    const Flag flags[] = {
+    Flag flags[MOST_FLAGS] = {
         {"snapshot", FLAG_TEXT, &o->snapshot, 0, 0},
         {"every-save", FLAG_PRESENT, &a->every_save, 0, 0},
         {"view", FLAG_TEXT, &a->view, 0, 0},
-        {"path", FLAG_LONG, &a->path, 0, MOST_PHOTONS},
-        {"bounce", FLAG_INT, &a->bounce, 0, MOST_DEPTH},
-        {"exponent", FLAG_FLOAT, &a->exponent, 0, 1e6},
-        {"angle", FLAG_FLOAT, &a->angle, 0, 89.9},
-        {"diffuse", FLAG_PRESENT, &a->diffuse, 0, 0},
-        {"surface", FLAG_INT, &a->surface, 0, 1e9},
-        {"level", FLAG_INT, &a->level, 0, 30},
         {"colour", FLAG_TEXT, &a->colour, 0, 0},
         {"split", FLAG_PRESENT, &a->split, 0, 0},
         {"camera", FLAG_TEXT, &a->camera, 0, 0},
@@ -131,9 +180,14 @@ static int parse(int count, char **arguments, Arguments *a)
         {"report", FLAG_TEXT, &o->report, 0, 0},
         {"orbit", FLAG_FLOAT, &o->orbit_seconds, 0, 3600},
     };
-    int wrong =
-        command_line_parse(&(CommandLine){"photonlab preview", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
-                           count, arguments, &a->scene);
+    int flag_count = 0;
+    while (flags[flag_count].name)
+        flag_count++;
+    flag_count = add_settings(a, flags, flag_count);
+    char help[6000];
+    list_flags(help, sizeof help);
+    int wrong = command_line_parse(&(CommandLine){"photonlab preview", help, "one scene file", flags, flag_count, 1, 1},
+                                   count, arguments, &a->scene);
     return wrong ? wrong : parse_names(a) ? 0 : EXIT_USAGE;
 }
 
@@ -146,15 +200,9 @@ static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *
     if (a->colour)
         colour_mode_parse(a->colour, &view->colour);
     view->split = a->split || a->reference_file;
-    view->diffuse = a->diffuse;
     view->wireframe = !a->no_wireframe;
-    view->exponent = a->exponent >= 0.0f ? a->exponent : view->exponent;
-    view->angle = a->angle >= 0.0f ? a->angle : view->angle;
     view->flight = (double)a->flight;
-    view->surface = a->surface;
-    view->level = a->level >= 0 ? a->level : view->level;
-    view->path = a->path;
-    view->bounce = a->bounce;
+    take_settings(a, view);
     Vec3 p, t;
     char after;
     if (a->camera && sscanf(a->camera, "%f,%f,%f,%f,%f,%f%c", &p.x, &p.y, &p.z, &t.x, &t.y, &t.z, &after) != 6)
@@ -188,7 +236,6 @@ static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *
         return false;
     printf("no window: %s\n%s is written anew on every save instead; ctrl-c ends it\n", error->message,
            options.snapshot);
-    fflush(stdout);
     *error = (Error){""};
     return preview_snapshots(scene, &options, broker, error);
 }
@@ -226,6 +273,7 @@ int command_preview(int count, char **arguments)
     }
     Broker *broker = a.photons_file ? NULL : broker_start(scene, a.options.source, &error);
     parallel_limit(0);
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what happens is told when it happens, through a pipe, too
     bool ok = a.photons_file ? show_files(scene, &a, &error) : broker && show(scene, &a, broker, &error);
     if (broker)
         broker_stop(broker);

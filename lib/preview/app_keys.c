@@ -1,41 +1,47 @@
 // What each key does.
-#include "base/parallel.h"
 #include "preview/app.h"
+#include "base/parallel.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <unistd.h>
 
-static void photons_times(App *app, double factor)
+static void change_photons(App *app)
 {
-    double photons = (double)app->session.photons * factor;
+    double photons = (double)app->session.photons * (app->key == '+' ? 2.0 : 0.5);
     app->session.photons = (long)fmin(fmax(photons, 1000.0), 16e6);
-    session_ask_photons(&app->session, &app->view);
+    session_ask_photons(&app->session);
+}
+
+static void change_seed(App *app)
+{
+    app->session.seed++;
+    session_ask_photons(&app->session);
 }
 
 static void save_snapshot(App *app)
 {
     Error error = {""};
     char command[2048];
-    session_draw(&app->session, app->canvas, &app->view, app->options->bare);
-    if (!snapshot_write(app->canvas, app->options->snapshot, &error)) {
+    const char *path = app->session.options->snapshot;
+    session_draw(&app->session, &app->view, app_key_list());
+    if (!snapshot_write(app->canvas, path, &error)) {
         fprintf(stderr, "%s\n", error.message);
         return;
     }
-    snapshot_command(app->options, &app->view, &app->session, app->width, app->height, command, sizeof command);
-    printf("%s\n    %s\n", app->options->snapshot, command);
-    fflush(stdout);
+    snapshot_command(&app->session, command, sizeof command);
+    printf("%s\n    %s\n", path, command);
 }
 
 // The desktop's own way to open a page; without one, where it lies.
 static void open_report(App *app)
 {
-    const char *report = app->options->report;
+    const char *report = app->session.options->report;
     FILE *file = report ? fopen(report, "rb") : NULL;
     if (!file) {
         snprintf(app->session.build, sizeof app->session.build, "no report yet: run `make report`");
-        printf("%s\n", app->session.build);
-        fflush(stdout);
+        puts(app->session.build);
         return;
     }
     fclose(file);
@@ -46,7 +52,6 @@ static void open_report(App *app)
         _exit(127);
     }
     printf("the report: %s\n", report);
-    fflush(stdout);
 }
 
 // Slow light starts at the lamps, or ends.
@@ -57,143 +62,185 @@ static void toggle_flight(App *app)
     app->view.flight = app->flying ? 0.0 : -1.0;
 }
 
-static void choose_kind(App *app, ViewKind kind)
+static void toggle_flight_where_it_shows(App *app)
 {
-    app->view.kind = kind;
-    if (app->flying && kind != VIEW_POINTS && kind != VIEW_PATHS)
+    if (view_type(&app->view)->in_flight)
         toggle_flight(app);
-    session_need(&app->session, &app->view);
 }
 
-// Which way an arrow changes what the present view chooses: `sideways` by ←/→, otherwise by ↑/↓.
-static void choose_within(App *app, bool sideways, int step)
+static void choose_view(App *app)
 {
-    View *view = &app->view;
-    const Recording *recording = side_recording(app->session.sides[YOURS]);
-    switch (view->kind) {
-    case VIEW_PATHS:
-        if (sideways) {
-            long last = recording->recorded - 1;
-            view->path = view->path + step < -1 ? last : view->path + step > last ? -1 : view->path + step;
-            view->bounce = -1;
-        } else if (view->path >= 0) {
-            view->bounce = view->bounce + step < -1 ? -1 : view->bounce + step;
-        }
-        return;
-    case VIEW_LOBE:
-        if (sideways)
-            view->angle = fminf(fmaxf(view->angle + 5.0f * (float)step, 0.0f), 85.0f);
-        else
-            view->exponent =
-                fminf(fmaxf(step > 0 ? view->exponent * 1.5f + 0.5f : (view->exponent - 0.5f) / 1.5f, 0.0f), 5000.0f);
-        session_lobe_changed(&app->session, view);
-        return;
-    case VIEW_SCREEN:
-        if (sideways) {
-            int count = (int)app->scene->flat_count;
-            view->surface = view->surface + step < -1       ? count - 1
-                            : view->surface + step >= count ? -1
-                                                            : view->surface + step;
-        }
-        return;
-    case VIEW_TREE:
-        if (!sideways)
-            view->level = view->level + step < 0 ? 0 : view->level + step > 24 ? 24 : view->level + step;
-        return;
-    case VIEW_POINTS:
-        return;
-    }
+    session_stop_render(&app->session);
+    app->view.kind = (ViewKind)(app->key - '1');
+    if (app->flying && !view_type(&app->view)->in_flight)
+        toggle_flight(app);
+    session_need(&app->session);
+}
+
+// Arrows change what the present view chooses.
+static void choose_within(App *app)
+{
+    bool sideways = app->key == WINDOW_LEFT || app->key == WINDOW_RIGHT;
+    int step = app->key == WINDOW_RIGHT || app->key == WINDOW_UP ? 1 : -1;
+    if (view_type(&app->view)->choose)
+        view_type(&app->view)->choose(&app->view, app->session.data[YOURS], sideways, step);
+    session_need(&app->session);
 }
 
 static void toggle_render(App *app)
 {
-    if (app->session.render)
+    if (app->session.runs[RUN_RENDER][YOURS])
         session_stop_render(&app->session);
-    else if (app->view.kind != VIEW_LOBE)
-        session_render(&app->session, &app->view, app->width, app->height);
+    else if (!view_type(&app->view)->of_step)
+        session_render(&app->session, app->width, app->height);
 }
 
-void app_key(App *app, int key)
+static void toggle_list(App *app)
 {
-    View *view = &app->view;
-    app->dirty = true;
-    switch (key) {
-    case 'h':
-        view->help = !view->help;
-        return;
-    case '1':
-    case '2':
-    case '3':
-    case '4':
-    case '5':
-        session_stop_render(&app->session);
-        choose_kind(app, (ViewKind)(key - '1'));
-        return;
-    case 'c':
-        view->colour = (ColourMode)((view->colour + 1) % COLOUR_COUNT);
-        return;
-    case 'b':
-        view->split = !view->split;
-        session_need(&app->session, view);
-        return;
-    case 'w':
-        view->wireframe = !view->wireframe;
-        return;
-    case 'd':
-        view->diffuse = !view->diffuse;
-        session_lobe_changed(&app->session, view);
-        return;
-    case 'f':
-        if (view_is_framed(view))
-            view->framing = FRAMING_DEFAULT;
+    app->view.help = !app->view.help;
+}
+
+static void next_colour(App *app)
+{
+    app->view.colour = (ColourMode)((app->view.colour + 1) % COLOUR_COUNT);
+}
+
+static void toggle_split(App *app)
+{
+    app->view.split = !app->view.split;
+    session_need(&app->session);
+}
+
+static void toggle_wireframe(App *app)
+{
+    app->view.wireframe = !app->view.wireframe;
+}
+
+static void frame_all(App *app)
+{
+    if (view_type(&app->view)->place != IN_THE_SCENE)
+        app->view.framing = FRAMING_DEFAULT;
+    else
+        orbit_frame(&app->view.orbit, bvh_bounds(app->scene->bvh), (float)app->width / (float)app->height);
+    app_moved(app);
+}
+
+static void look_as_at_first(App *app)
+{
+    app->view.orbit = app->session.options->view.orbit;
+    app->view.framing = app->session.options->view.framing;
+    app_moved(app);
+}
+
+static void quit(App *app)
+{
+    app->quit = app->key != WINDOW_ESCAPE || !app->view.help; // escape closes what is open, before it closes all
+    app->view.help = false;
+}
+
+// The switches of all views have keys of their own.
+static bool toggle_setting(App *app)
+{
+    for (int i = 0; i < VIEW_COUNT; i++)
+        for (int j = 0; j < MOST_SETTINGS; j++)
+            if (view_types[i]->settings[j].key == app->key) {
+                app->view.settings[i][j] = app->view.settings[i][j] == 0.0;
+                session_need(&app->session);
+                return true;
+            }
+    return false;
+}
+
+static void list_views(char *text, size_t size)
+{
+    char keys[2 * VIEW_COUNT + 1] = "";
+    for (int i = 0; i < VIEW_COUNT; i++)
+        text_append(keys, sizeof keys, "%s%d", i == 0 ? "" : " ", i + 1);
+    text_append(text, size, "%-10s  ", keys);
+    for (int i = 0; i < VIEW_COUNT; i++)
+        text_append(text, size, "%s%s", i == 0 ? "" : ", ", view_types[i]->name);
+}
+
+static void list_choices(char *text, size_t size)
+{
+    int count = 0;
+    for (int i = 0; i < VIEW_COUNT; i++)
+        if (view_types[i]->arrows)
+            text_append(text, size, "%s%s: %s",
+                        ++count == 1 ? "arrows      "
+                        : count % 2  ? "\n            "
+                                     : ". ",
+                        view_types[i]->name, view_types[i]->arrows);
+    for (int i = 0; i < VIEW_COUNT; i++)
+        for (int j = 0; j < MOST_SETTINGS; j++)
+            if (view_types[i]->settings[j].key)
+                text_append(text, size, "\n%-12c%s: %s", view_types[i]->settings[j].key, view_types[i]->name,
+                            view_types[i]->settings[j].words);
+}
+
+// All keys but the views' own, in the order of the list; what the views add to it is listed by a function.
+static const struct {
+    const char *shown, *words;
+    void (*act)(App *app);
+    int keys[4];
+    bool beside; // on the line of the one before
+    bool held;   // goes on while it is held; the others would flicker
+    void (*list)(char *text, size_t size);
+} KEYS[] = {
+    {.list = list_views},
+    {"c", "colour by power, photon, bounce, material", next_colour, .keys = {'c'}},
+    {"b", "the reference beside yours", toggle_split, .keys = {'b'}},
+    {.act = choose_within,
+     .keys = {WINDOW_LEFT, WINDOW_RIGHT, WINDOW_UP, WINDOW_DOWN},
+     .held = true,
+     .list = list_choices},
+    {"mouse", "left: turn. right: move. wheel: near, far", NULL, .keys = {0}},
+    {"f", "frame the scene", frame_all, .keys = {'f'}},
+    {"0", "the scene's camera", look_as_at_first, .keys = {'0'}, .beside = true},
+    {"space", "slow light: photons in order of flight", toggle_flight_where_it_shows, .keys = {' '}},
+    {"+ -", "more, fewer photons", change_photons, .keys = {'+', '-'}},
+    {"r", "another seed", change_seed, .keys = {'r'}, .beside = true},
+    {"p", "render what you see, by your code", toggle_render, .keys = {'p'}},
+    {"w", "wireframe", toggle_wireframe, .keys = {'w'}},
+    {"s", "snapshot", save_snapshot, .keys = {'s'}, .beside = true},
+    {"o", "report", open_report, .keys = {'o'}, .beside = true},
+    {"h", "this list", toggle_list, .keys = {'h'}},
+    {"q, esc", "quit", quit, .keys = {'q', WINDOW_ESCAPE}, .beside = true},
+};
+enum { KEY_COUNT = sizeof KEYS / sizeof *KEYS };
+
+const char *app_key_list(void)
+{
+    static char text[2000];
+    if (text[0])
+        return text;
+    for (int i = 0; i < KEY_COUNT; i++) {
+        text_append(text, sizeof text, "%s", KEYS[i].beside ? "    " : i > 0 ? "\n" : "");
+        if (KEYS[i].list)
+            KEYS[i].list(text, sizeof text);
         else
-            orbit_frame(&view->orbit, bvh_bounds(app->scene->bvh), (float)app->width / (float)app->height);
-        app_moved(app);
-        return;
-    case '0':
-        view->orbit = app->options->view.orbit;
-        view->framing = app->options->view.framing;
-        app_moved(app);
-        return;
-    case 'r':
-        app->session.seed++;
-        session_ask_photons(&app->session, view);
-        return;
-    case '+':
-        photons_times(app, 2.0);
-        return;
-    case '-':
-        photons_times(app, 0.5);
-        return;
-    case ' ':
-        if (view->kind == VIEW_POINTS || view->kind == VIEW_PATHS)
-            toggle_flight(app);
-        return;
-    case 's':
-        save_snapshot(app);
-        return;
-    case 'o':
-        open_report(app);
-        return;
-    case 'p':
-        toggle_render(app);
-        return;
-    case WINDOW_LEFT:
-    case WINDOW_RIGHT:
-        choose_within(app, true, key == WINDOW_RIGHT ? 1 : -1);
-        return;
-    case WINDOW_UP:
-    case WINDOW_DOWN:
-        choose_within(app, false, key == WINDOW_UP ? 1 : -1);
-        return;
-    case WINDOW_ESCAPE: // closes what is open, before it closes all
-        app->quit = !view->help;
-        view->help = false;
-        return;
-    case 'q':
-        app->quit = true;
-        return;
-    default:
-        app->dirty = false;
+            text_append(text, sizeof text, KEYS[i].beside ? "%s  %s" : "%-10s  %s", KEYS[i].shown, KEYS[i].words);
     }
+    return text;
+}
+
+static bool act(App *app, bool repeat)
+{
+    for (int i = 0; i < KEY_COUNT; i++)
+        for (int j = 0; j < 4; j++)
+            if (KEYS[i].keys[j] == app->key && KEYS[i].act && (!repeat || KEYS[i].held)) {
+                KEYS[i].act(app);
+                return true;
+            }
+    if (repeat || app->key < '1' || app->key >= '1' + VIEW_COUNT)
+        return !repeat && toggle_setting(app);
+    choose_view(app);
+    return true;
+}
+
+void app_key(App *app, int key, bool repeat)
+{
+    app->key = key;
+    if (act(app, repeat))
+        app->dirty = true;
 }

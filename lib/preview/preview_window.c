@@ -8,11 +8,8 @@
 #define BUSY_WAIT 0.008 // s, while something is on its way
 #define IDLE_WAIT 0.03  // s: as late as this a save is noticed
 
-// Keys that go on while they are held; the others would flicker.
-static bool is_for_holding(int key)
-{
-    return key == WINDOW_LEFT || key == WINDOW_RIGHT || key == WINDOW_UP || key == WINDOW_DOWN;
-}
+#define REST_SECONDS   0.05 // without a movement: all photons are drawn
+#define FLIGHT_SECONDS 8.0  // of slow light across the scene, thrice
 
 static void take_events(App *app)
 {
@@ -20,8 +17,7 @@ static void take_events(App *app)
     while (window_next_event(app->window, &event)) {
         switch (event.type) {
         case WINDOW_EVENT_KEY:
-            if (!event.repeat || is_for_holding(event.key))
-                app_key(app, event.key);
+            app_key(app, event.key, event.repeat);
             break;
         case WINDOW_EVENT_DRAG:
             app_drag(app, event.button, event.shift, event.x, event.y);
@@ -47,20 +43,27 @@ static void advance_flight(App *app, double now)
 {
     if (!app->flying)
         return;
-    const Recording *recording = side_recording(app->session.sides[YOURS]);
-    double farthest = recording->farthest;
-    double flown = (now - app->flight_started) * app_light_speed(app);
-    if (flown > farthest + 1.0 * app_light_speed(app))
+    Box box = bvh_bounds(app->scene->bvh);
+    double speed = 3.0 * (double)vec3_length(vec3_sub(box.high, box.low)) / FLIGHT_SECONDS; // m/s
+    double farthest = view_data_recording(app->session.data[YOURS])->farthest;
+    double flown = (now - app->flight_started) * speed;
+    if (flown > farthest + 1.0 * speed)
         app->flight_started = now;
     app->view.flight = fmin(flown, farthest);
     app->dirty = true;
 }
 
+// A part of the photons has to do, since the camera moves, light flies, or the rest of them is still traced.
+static bool is_hurried(const App *app)
+{
+    return app->moving || app->flying || app->session.coming;
+}
+
 static void draw(App *app)
 {
     View view = app->view;
-    view.most_points = app_is_hurried(app) ? MOVING_POINTS : 0;
-    session_draw(&app->session, app->canvas, &view, app->options->bare);
+    view.most_points = is_hurried(app) ? MOVING_POINTS : 0;
+    session_draw(&app->session, &view, app_key_list());
     canvas_present(app->canvas, app->width, app->height);
     window_swap(app->window);
     app->dirty = false;
@@ -75,20 +78,23 @@ static void note_answer(Session *session)
     session->after_save = false;
     printf("drawn: %s photons, %.2f s after the save\n", session->coming ? "the first new" : "all new",
            clock_seconds() - session->asked_at);
-    fflush(stdout);
 }
 
 // One turn of the loop.
 static void turn(App *app)
 {
-    bool active = session_is_busy(&app->session) || app->session.render || app->moving || app->flying || app->turning;
+    bool active = session_is_busy(&app->session) || app->session.runs[RUN_RENDER][YOURS] || app->moving ||
+                  app->flying || app->turning;
     window_wait(app->window, app->turning ? 0.0 : active ? BUSY_WAIT : IDLE_WAIT);
     take_events(app);
-    bool news = session_poll(&app->session, &app->view);
+    bool news = session_poll(&app->session);
     double now = clock_seconds();
     app->dirty = app->dirty || news;
-    if (news && app->session.answered && app->session.after_save)
-        app_hurry(app, now);
+    if (news && app->session.answered && app->session.after_save) {
+        app->moving =
+            true; // the answer is wanted soon: a fair part of its photons first, all of them in the next frame
+        app->moved_at = now;
+    }
     app_turn_by_itself(app, now);
     if (app->moving && now - app->moved_at > REST_SECONDS) {
         app->moving = false;
@@ -97,23 +103,36 @@ static void turn(App *app)
     advance_flight(app, now);
     if (!app->dirty || app->width < 1 || app->height < 1)
         return;
-    bool rest = !app_is_hurried(app);
+    bool rest = !is_hurried(app);
     draw(app);
     note_answer(&app->session);
     app_note_rest(app, rest);
 }
 
+static bool start(App *app, const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error)
+{
+    app->scene = scene;
+    app->view = options->view;
+    window_framebuffer_size(app->window, &app->width, &app->height);
+    app->canvas = canvas_create(window_loader(app->window), app->width, app->height, error);
+    if (!app->canvas || !session_start(&app->session, scene, options, &app->view, broker, app->canvas, error))
+        return false;
+    app->dirty = app->session.timed = true;
+    return true;
+}
+
 bool preview_window(const Scene *scene, const PreviewOptions *options, Broker *broker, bool *no_window, Error *error)
 {
-    Window *window = window_create("photonlab", options->width, options->height, error);
-    *no_window = window == NULL;
-    if (!window)
-        return false;
     static App app;
-    bool ok = app_start(&app, scene, options, broker, window, error);
+    app.window = window_create("photonlab", options->width, options->height, error);
+    *no_window = app.window == NULL;
+    if (!app.window)
+        return false;
+    bool ok = start(&app, scene, options, broker, error);
     while (ok && !app.quit)
         turn(&app);
-    app_end(&app);
-    window_free(window);
+    session_end(&app.session);
+    canvas_free(app.canvas);
+    window_free(app.window);
     return ok;
 }

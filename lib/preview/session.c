@@ -1,5 +1,6 @@
 #include "preview/session.h"
 #include "base/parallel.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -8,39 +9,32 @@
 #define NEXT_LOOK  0.4
 #define SCENE_LOOK 1.0
 
-bool session_start(Session *session, const Scene *scene, const PreviewOptions *options, Broker *broker, Canvas *canvas,
-                   Error *error)
+bool session_start(Session *session, const Scene *scene, const PreviewOptions *options, const View *view,
+                   Broker *broker, Canvas *canvas, Error *error)
 {
-    *session = (Session){.scene = scene, .options = options, .broker = broker};
+    *session = (Session){.options = options, .view = view, .broker = broker, .canvas = canvas};
     session->photons = options->photons;
     session->seed = options->seed;
-    for (int i = 0; i < SIDES; i++)
-        if (!(session->sides[i] = side_create(canvas, scene)))
+    for (int i = 0; i < DATA_COUNT; i++)
+        if (!(session->data[i] = view_data_create(canvas, scene)))
             return error_set(error, "not enough memory for the preview");
-    if (!options->source || !options->build)
-        return true;
-    session->watch = watch_start(options->source, options->code, options->build, error);
-    return session->watch != NULL;
+    if (options->source && options->build &&
+        !(session->watch = watch_start(options->source, options->code, options->build, error)))
+        return false;
+    if (!options->given)
+        session_ask_photons(session);
+    return true;
 }
 
 void session_end(Session *session)
 {
-    for (int i = 0; i < RUN_SIDES; i++) {
-        session_stop(&session->tracing[i]);
-        session_stop(&session->lobe[i]);
-    }
-    for (int i = 0; i < SIDES; i++)
-        if (session->sides[i])
-            side_free(session->sides[i]);
-    session_stop(&session->render);
+    for (int kind = 0; kind < RUN_KINDS; kind++)
+        for (int i = 0; i < PLAYERS; i++)
+            session_stop(&session->runs[kind][i]);
+    for (int i = 0; i < DATA_COUNT; i++)
+        view_data_free(session->data[i]);
     if (session->watch)
         watch_stop(session->watch);
-}
-
-static void tell(const char *text)
-{
-    printf("%s\n", text);
-    fflush(stdout);
 }
 
 static void fault(Session *session, const char *text)
@@ -48,23 +42,23 @@ static void fault(Session *session, const char *text)
     if (strcmp(session->fault, text) == 0)
         return;
     snprintf(session->fault, sizeof session->fault, "%s", text);
-    tell(text);
+    puts(text);
 }
 
 // A save: its objects are there, so ask again for everything that the student's code made.
-static void rebuilt(Session *session, const View *view)
+static void rebuilt(Session *session)
 {
     session->fault[0] = session->notice[0] = '\0'; // to be told again if they are still there
-    session->have_lobe[YOURS] = false;
-    session_stop(&session->lobe[YOURS]);
-    session_ask_side(session, YOURS);
+    session->have[RUN_LOBE][YOURS] = false;
+    session_stop(&session->runs[RUN_LOBE][YOURS]);
+    session_ask_player(session, YOURS);
     session->asked_by = "save";
     session->after_save = true; // until the window has shown it
-    if (session->render)
-        session_render(session, view, session->render_width, session->render_height);
+    if (session->runs[RUN_RENDER][YOURS])
+        session_render(session, session->render_width, session->render_height);
 }
 
-static bool poll_watch(Session *session, const View *view)
+static bool poll_watch(Session *session)
 {
     WatchEvent event = session->watch ? watch_poll(session->watch) : WATCH_NOTHING;
     if (event == WATCH_NOTHING)
@@ -80,11 +74,11 @@ static bool poll_watch(Session *session, const View *view)
         fault(session, session->build);
         return true;
     }
-    tell(session->build);
+    puts(session->build);
     snprintf(session->warning, sizeof session->warning, "%s", watch_warning(session->watch));
     if (session->warning[0])
-        tell(session->warning);
-    rebuilt(session, view);
+        puts(session->warning);
+    rebuilt(session);
     return false; // its photons are soon there
 }
 
@@ -98,28 +92,21 @@ static void tell_if_not_played(Session *session, const Recording *recording)
     snprintf(text, sizeof text,
              "%s is built, but another step plays in its place; make preview FLAGS=\"--steps %s\" plays it", step->id,
              step_chosen_by(step)->id);
-    tell(text);
-    size_t length = strlen(session->notice);
-    snprintf(session->notice + length, sizeof session->notice - length, "%s%s", length > 0 ? "\n" : "", text);
+    puts(text);
+    text_append(session->notice, sizeof session->notice, "%s%s", session->notice[0] ? "\n" : "", text);
 }
 
-static void take_photons(Session *session, int side, const RunStatus *status)
+static void take_photons(Session *session, const RunStatus *status)
 {
-    side_set_recording(session->sides[side], run_take_recording(session->tracing[side]));
-    if (side == REFERENCE) {
-        session->have_reference = true;
-        return;
-    }
     if (strcmp(session->notice, status->notice) != 0 && status->notice[0])
-        tell(status->notice);
+        puts(status->notice);
     snprintf(session->notice, sizeof session->notice, "%s", status->notice);
-    const Recording *recording = side_recording(session->sides[side]);
+    const Recording *recording = view_data_recording(session->data[YOURS]);
     tell_if_not_played(session, recording);
     // What another step's last build said is still true.
     snprintf(session->fault, sizeof session->fault, "%s", session->watch ? watch_broken(session->watch) : "");
     printf("%zu photons stored of %ld emitted, %.2f s after the %s\n", recording->count, recording->emitted,
            clock_seconds() - session->asked_at, session->asked_by);
-    fflush(stdout);
     session->answered = true;
 }
 
@@ -127,57 +114,36 @@ static void take_photons(Session *session, int side, const RunStatus *status)
 static bool look_at_coming(Session *session)
 {
     Recording part;
-    if (clock_seconds() < session->next_look || !run_copy_partial(session->tracing[YOURS], &part))
+    if (clock_seconds() < session->next_look || !run_copy_partial(session->runs[RUN_PHOTONS][YOURS], &part))
         return false;
-    side_set_recording(session->sides[COMING], part);
+    view_data_record(session->data[COMING], part);
     session->coming = session->answered = true;
     session->next_look = clock_seconds() + NEXT_LOOK;
     return true;
 }
 
-static bool poll_photons(Session *session, int side)
+static bool poll_run(Session *session, RunKind kind, int player)
 {
-    if (!session->tracing[side])
+    Run **run = &session->runs[kind][player];
+    if (!*run)
         return false;
-    RunStatus status = run_poll(session->tracing[side]);
+    RunStatus status = run_poll(*run);
+    bool of_yours = kind == RUN_PHOTONS && player == YOURS;
+    if (kind == RUN_RENDER && status.state != RUN_FAILED)
+        return status.news; // it goes on until it is stopped
     if (status.state == RUN_GOING)
-        return side == YOURS && look_at_coming(session);
-    session->coming = session->coming && side != YOURS;
+        return of_yours && look_at_coming(session);
+    session->coming = session->coming && !of_yours;
+    session->have[kind][player] = true; // a failure, too: it would fail again at once
     if (status.state == RUN_FAILED)
         fault(session, status.failure);
+    else if (kind == RUN_LOBE)
+        view_data_sample(session->data[player], run_take_lobe(*run));
     else
-        take_photons(session, side, &status);
-    // A reference that fails would fail again at once.
-    session->have_reference = session->have_reference || side == REFERENCE;
-    session_stop(&session->tracing[side]);
-    return true;
-}
-
-static bool poll_lobe(Session *session, int side)
-{
-    if (!session->lobe[side])
-        return false;
-    RunStatus status = run_poll(session->lobe[side]);
-    if (status.state == RUN_GOING)
-        return false;
-    if (status.state == RUN_FAILED)
-        fault(session, status.failure);
-    else
-        side_set_lobe(session->sides[side], run_take_lobe(session->lobe[side]));
-    session->have_lobe[side] = true;
-    session_stop(&session->lobe[side]);
-    return true;
-}
-
-static bool poll_render(Session *session)
-{
-    if (!session->render)
-        return false;
-    RunStatus status = run_poll(session->render);
-    if (status.state != RUN_FAILED)
-        return status.news;
-    fault(session, status.failure);
-    session_stop(&session->render);
+        view_data_record(session->data[player], run_take_recording(*run));
+    if (of_yours && status.state == RUN_DONE)
+        take_photons(session, &status);
+    session_stop(run);
     return true;
 }
 
@@ -196,46 +162,45 @@ static bool look_at_scene(Session *session)
         return false;
     session->scene_is_old = true;
     printf("%s was changed; start the preview again to see it\n", session->options->scene_path);
-    fflush(stdout);
     return true;
 }
 
-bool session_poll(Session *session, const View *view)
+bool session_poll(Session *session)
 {
-    bool news = poll_watch(session, view);
+    bool news = poll_watch(session);
     news |= look_at_scene(session);
-    for (int i = 0; i < RUN_SIDES; i++) {
-        news |= poll_photons(session, i);
-        news |= poll_lobe(session, i);
-    }
-    news |= poll_render(session);
-    session_need(session, view);
+    for (int i = 0; i < PLAYERS; i++)
+        for (int kind = 0; kind < RUN_KINDS; kind++)
+            news |= poll_run(session, (RunKind)kind, i);
+    session_need(session);
     return news;
+}
+
+// What is waited for: photons or samples. NULL: nothing.
+static Run *awaited(const Session *session)
+{
+    for (int i = 0; i < PLAYERS; i++)
+        for (int kind = RUN_PHOTONS; kind <= RUN_LOBE; kind++)
+            if (session->runs[kind][i])
+                return session->runs[kind][i];
+    return NULL;
 }
 
 bool session_is_busy(const Session *session)
 {
-    return session->building || session->tracing[YOURS] || session->tracing[REFERENCE] || session->lobe[YOURS] ||
-           session->lobe[REFERENCE];
+    return session->building || awaited(session);
 }
 
 void session_wait(Session *session, double seconds)
 {
-    for (int i = 0; i < RUN_SIDES; i++) {
-        if (session->tracing[i]) {
-            run_wait(session->tracing[i], seconds);
-            return;
-        }
-        if (session->lobe[i]) {
-            run_wait(session->lobe[i], seconds);
-            return;
-        }
-    }
-    if (session->watch)
+    Run *run = awaited(session);
+    if (run)
+        run_wait(run, seconds);
+    else if (session->watch)
         watch_wait(session->watch, seconds);
 }
 
-Side *session_yours(const Session *session)
+ViewData *session_yours(const Session *session)
 {
-    return session->sides[session->coming ? COMING : YOURS];
+    return session->data[session->coming ? COMING : YOURS];
 }

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #define LOBE_SAMPLES 10000
 #define FIRST_LOOK   0.12 // s after the request: photons of a slow scene are shown while the rest is on its way
@@ -14,13 +15,13 @@ void session_stop(Run **run)
     *run = NULL;
 }
 
-static RunRequest request_for(const Session *session, int side, RunKind kind)
+static RunRequest request_for(const Session *session, int player, RunKind kind)
 {
     const PreviewOptions *options = session->options;
-    const Recording *yours = side_recording(session->sides[YOURS]);
+    const Recording *yours = view_data_recording(session->data[YOURS]);
     RunRequest request = {
         .kind = kind,
-        .code = side == YOURS ? options->code : NULL,
+        .code = player == YOURS ? options->code : NULL,
         .play_is_given = options->play_is_given,
         .play = options->play,
         .seed = session->seed,
@@ -30,82 +31,85 @@ static RunRequest request_for(const Session *session, int side, RunKind kind)
         .samples = LOBE_SAMPLES,
     };
     // Beside a student who has come as far as 1.5 and 2.3, the reference plays those, too: like against like.
-    if (side == REFERENCE && !options->play_is_given && yours->emitted > 0) {
+    if (player == REFERENCE && !options->play_is_given && yours->emitted > 0) {
         request.play_is_given = true;
         request.play = yours->play;
     }
     return request;
 }
 
-static void start(Session *session, Run **run, const RunRequest *request)
+static void start(Session *session, int player, const RunRequest *request)
 {
     Error error = {""};
+    Run **run = &session->runs[request->kind][player];
     session_stop(run);
     *run = run_start(session->broker, request, &error);
     if (!*run)
         snprintf(session->fault, sizeof session->fault, "%s", error.message);
 }
 
-void session_ask_side(Session *session, int side)
+void session_ask_player(Session *session, int player)
 {
-    if (side == YOURS) {
+    if (player == YOURS) {
         session->coming = session->answered = false;
         session->next_look = clock_seconds() + FIRST_LOOK;
     }
-    RunRequest request = request_for(session, side, RUN_PHOTONS);
-    start(session, &session->tracing[side], &request);
+    RunRequest request = request_for(session, player, RUN_PHOTONS);
+    start(session, player, &request);
 }
 
-static void start_lobe(Session *session, const View *view, int side)
+void session_ask_photons(Session *session)
 {
-    RunRequest request = request_for(session, side, RUN_LOBE);
-    request.exponent = view->exponent;
-    request.angle = view->angle;
-    request.diffuse = view->diffuse;
-    start(session, &session->lobe[side], &request);
-}
-
-void session_ask_photons(Session *session, const View *view)
-{
-    session->asked_by = side_recording(session->sides[YOURS])->emitted > 0 ? "key" : "start";
+    session->asked_by = view_data_recording(session->data[YOURS])->emitted > 0 ? "key" : "start";
     session->asked_at = clock_seconds();
-    session->have_reference = false;
-    session_stop(&session->tracing[REFERENCE]);
-    session_ask_side(session, YOURS);
-    session_need(session, view);
+    session->have[RUN_PHOTONS][REFERENCE] = false;
+    session_stop(&session->runs[RUN_PHOTONS][REFERENCE]);
+    session_ask_player(session, YOURS);
+    session_need(session);
 }
 
-void session_need(Session *session, const View *view)
+static void need_lobe(Session *session)
 {
-    bool yours_known = side_recording(session->sides[YOURS])->emitted > 0 && !session->tracing[YOURS];
-    if (view->split && yours_known && !session->have_reference && !session->tracing[REFERENCE])
-        session_ask_side(session, REFERENCE);
-    for (int i = 0; i < RUN_SIDES; i++)
-        if (view->kind == VIEW_LOBE && (i == YOURS || view->split) && !session->have_lobe[i] && !session->lobe[i])
-            start_lobe(session, view, i);
-}
-
-void session_lobe_changed(Session *session, const View *view)
-{
-    for (int i = 0; i < RUN_SIDES; i++) {
-        session->have_lobe[i] = false;
-        session_stop(&session->lobe[i]);
+    const double *settings = session->view->settings[VIEW_LOBE];
+    bool changed = memcmp(session->lobe, settings, sizeof session->lobe) != 0;
+    memcpy(session->lobe, settings, sizeof session->lobe);
+    for (int i = 0; i < PLAYERS; i++) {
+        if (changed) {
+            session->have[RUN_LOBE][i] = false;
+            session_stop(&session->runs[RUN_LOBE][i]);
+        }
+        if ((i == REFERENCE && !session->view->split) || session->have[RUN_LOBE][i] || session->runs[RUN_LOBE][i])
+            continue;
+        RunRequest request = request_for(session, i, RUN_LOBE);
+        request.exponent = (float)settings[LOBE_EXPONENT];
+        request.angle = (float)settings[LOBE_ANGLE];
+        request.diffuse = settings[LOBE_DIFFUSE] != 0.0;
+        start(session, i, &request);
     }
-    session_need(session, view);
 }
 
-void session_render(Session *session, const View *view, int width, int height)
+void session_need(Session *session)
+{
+    Run **runs = session->runs[RUN_PHOTONS];
+    bool yours_known = view_data_recording(session->data[YOURS])->emitted > 0 && !runs[YOURS];
+    if (session->view->split && yours_known && !session->have[RUN_PHOTONS][REFERENCE] && !runs[REFERENCE])
+        session_ask_player(session, REFERENCE);
+    if (view_type(session->view)->of_step)
+        need_lobe(session);
+}
+
+void session_render(Session *session, int width, int height)
 {
     session->render_width = width;
     session->render_height = height;
     RunRequest request = request_for(session, YOURS, RUN_RENDER);
-    request.camera = orbit_camera(&view->orbit);
+    request.camera = orbit_camera(&session->view->orbit);
     request.width = width;
     request.height = height;
-    start(session, &session->render, &request);
+    start(session, YOURS, &request);
 }
 
 void session_stop_render(Session *session)
 {
-    session_stop(&session->render);
+    session_stop(&session->runs[RUN_RENDER][YOURS]);
 }

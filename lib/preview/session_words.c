@@ -1,7 +1,8 @@
-// What the line at the bottom says.
+// What the session says around the picture, and drawing both.
 #include "preview/session.h"
+#include "base/text.h"
 
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 // Appends "title 1.1 1.3 " with the ids of the steps that are, or are not, the student's and play. False: there is none.
@@ -13,8 +14,7 @@ static bool list_steps(const Recording *recording, bool students, bool played, c
         if ((recording->states[i] == STEP_STUDENT) != students ||
             step_is_played(&step_table[i], recording->play) != played)
             continue;
-        size_t length = strlen(text);
-        snprintf(text + length, size - length, "%s%s", any ? " " : title, step_table[i].id);
+        text_append(text, size, "%s%s", any ? " " : title, step_table[i].id);
         any = true;
     }
     return any;
@@ -22,39 +22,31 @@ static bool list_steps(const Recording *recording, bool students, bool played, c
 
 void session_status(const Session *session, char *text, size_t size)
 {
-    const Recording *recording = side_recording(session_yours(session));
+    const Recording *recording = view_data_recording(session_yours(session));
+    const Run *render = session->runs[RUN_RENDER][YOURS];
     int passes = 0;
-    if (session->tracing[YOURS] && recording->emitted == 0)
-        snprintf(text, size, "the first photons are on their way");
+    text[0] = '\0';
+    if (session->runs[RUN_PHOTONS][YOURS] && recording->emitted == 0)
+        text_append(text, size, "the first photons are on their way");
     else
-        snprintf(text, size, "%ld photons, %zu stored, up to %d bounces", recording->emitted, recording->count,
-                 recording->bounces);
-    size_t length = strlen(text);
+        text_append(text, size, "%ld photons, %zu stored, up to %d bounces", recording->emitted, recording->count,
+                    recording->bounces);
     if (session->timed && recording->emitted > 0)
-        length += (size_t)snprintf(text + length, size - length, ", %.2f s", recording->seconds);
-    if (session->render && run_image(session->render, &passes))
-        snprintf(text + length, size - length, " | rendered: %d pass%s", passes, passes == 1 ? "" : "es");
+        text_append(text, size, ", %.2f s", recording->seconds);
+    if (render && run_image(render, &passes))
+        text_append(text, size, " | rendered: %d pass%s", passes, passes == 1 ? "" : "es");
     if (session->options->code) {
-        if (!list_steps(recording, true, true, " | your code: ", text, size)) {
-            length = strlen(text);
-            snprintf(text + length, size - length, " | your code: nothing yet");
-        }
+        if (!list_steps(recording, true, true, " | your code: ", text, size))
+            text_append(text, size, " | your code: nothing yet");
         list_steps(recording, true, false, " | built, not played: ", text, size);
         list_steps(recording, false, true, " | the reference: ", text, size);
     } else {
-        length = strlen(text);
-        snprintf(text + length, size - length, " | the reference plays");
+        text_append(text, size, " | the reference plays");
     }
-    length = strlen(text);
-    snprintf(text + length, size - length, "%s%s",
-             session->building   ? " | building"
-             : session->build[0] ? " | "
-                                 : "",
-             session->building ? "" : session->build);
-    if (session->timed) {
-        length = strlen(text);
-        snprintf(text + length, size - length, " | h: keys");
-    }
+    if (session->building || session->build[0])
+        text_append(text, size, " | %s", session->building ? "building" : session->build);
+    if (session->timed)
+        text_append(text, size, " | h: keys");
 }
 
 void session_banner(const Session *session, char *text, size_t size)
@@ -63,9 +55,42 @@ void session_banner(const Session *session, char *text, size_t size)
         session->scene_is_old ? "the scene's file was changed; start the preview again to see it" : "";
     const char *const lines[] = {session->fault, session->warning, session->notice, scene};
     text[0] = '\0';
-    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
-        size_t length = strlen(text);
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         if (lines[i][0])
-            snprintf(text + length, size - length, "%s%s", length > 0 ? "\n" : "", lines[i]);
+            text_append(text, size, "%s%s", text[0] ? "\n" : "", lines[i]);
+}
+
+// As sRGB, in memory of its own; NULL where it is short.
+static uint8_t *rgba_of_image(const Image *image)
+{
+    size_t count = (size_t)image->width * (size_t)image->height;
+    uint8_t *bytes = malloc(count * 4);
+    for (size_t i = 0; bytes && i < count; i++) {
+        for (int c = 0; c < 3; c++)
+            bytes[4 * i + (size_t)c] = (uint8_t)(255.0f * srgb_encode(colour_channel(image->pixels[i], c)) + 0.5f);
+        bytes[4 * i + 3] = 255;
     }
+    return bytes;
+}
+
+void session_draw(const Session *session, const View *view, const char *help)
+{
+    char status[700], banner[2000];
+    bool bare = session->options->bare;
+    int passes;
+    const Run *render = session->runs[RUN_RENDER][YOURS];
+    const Image *image = render ? run_image(render, &passes) : NULL;
+    uint8_t *picture = image ? rgba_of_image(image) : NULL;
+    session_status(session, status, sizeof status);
+    session_banner(session, banner, sizeof banner);
+    Captions captions = {.help = help, .left_title = "yours", .right_title = "reference", .bare = bare};
+    captions.status = bare || session->options->given ? NULL : status;
+    captions.banner = bare || !banner[0] ? NULL : banner;
+    if (picture) {
+        captions.picture = picture;
+        captions.picture_columns = image->width;
+        captions.picture_rows = image->height;
+    }
+    view_draw(session->canvas, view, session_yours(session), session->data[REFERENCE], &captions);
+    free(picture);
 }

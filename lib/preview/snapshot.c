@@ -1,11 +1,10 @@
 #include "preview/snapshot.h"
+#include "base/text.h"
 #include "preview/window.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 bool snapshot_write(Canvas *canvas, const char *path, Error *error)
 {
@@ -28,95 +27,49 @@ bool snapshot_write(Canvas *canvas, const char *path, Error *error)
     return ok;
 }
 
-void session_draw(const Session *session, Canvas *canvas, const View *view, bool bare)
+// The flags of the present view's settings, of those that are chosen.
+static void append_settings(const View *view, char *text, size_t size)
 {
-    static const char *const help = "1 2 3 4 5   points, paths, lobe, screen, tree\n"
-                                    "c           colour by power, photon, bounce, material\n"
-                                    "b           the reference beside yours\n"
-                                    "arrows      paths: photon, bounce. lobe: angle, exponent\n"
-                                    "            screen: surface. tree: depth\n"
-                                    "d           lobe: glossy or diffuse step\n"
-                                    "mouse       left: turn. right: move. wheel: near, far\n"
-                                    "f           frame the scene    0  the scene's camera\n"
-                                    "space       slow light: photons in order of flight\n"
-                                    "+ -         more, fewer photons    r  another seed\n"
-                                    "p           render what you see, by your code\n"
-                                    "w           wireframe    s  snapshot    o  report\n"
-                                    "h           this list    q, esc  quit";
-    char status[700], banner[2000];
-    session_status(session, status, sizeof status);
-    session_banner(session, banner, sizeof banner);
-    Captions captions = {.help = help, .left_title = "yours", .right_title = "reference"};
-    captions.status = bare || session->options->given ? NULL : status;
-    captions.banner = bare || !banner[0] ? NULL : banner;
-    captions.bare = bare;
-    int passes;
-    const Image *image = session->render ? run_image(session->render, &passes) : NULL;
-    uint8_t *picture = image ? malloc((size_t)image->width * (size_t)image->height * 4) : NULL;
-    if (picture) {
-        for (size_t i = 0; i < (size_t)image->width * (size_t)image->height; i++)
-            for (int c = 0; c < 4; c++)
-                picture[4 * i + (size_t)c] =
-                    c == 3 ? 255 : (uint8_t)(255.0f * srgb_encode(colour_channel(image->pixels[i], c)) + 0.5f);
-        captions.picture = picture;
-        captions.picture_columns = image->width;
-        captions.picture_rows = image->height;
+    const ViewSetting *settings = view_type(view)->settings;
+    const double *values = view->settings[view->kind];
+    for (int i = 0; i < MOST_SETTINGS && settings[i].flag; i++) {
+        if (settings[i].kind == SETTING_SWITCH && values[i] != 0.0)
+            text_append(text, size, " --%s", settings[i].flag);
+        else if (settings[i].kind == SETTING_NUMBER)
+            text_append(text, size, " --%s %g", settings[i].flag, values[i]);
+        else if (settings[i].kind == SETTING_WHOLE && values[i] >= settings[i].low)
+            text_append(text, size, " --%s %.0f", settings[i].flag, values[i]);
     }
-    view_draw(canvas, session->scene, view, session_yours(session), session->sides[REFERENCE], &captions);
-    free(picture);
 }
 
-// snprintf at the end of what is there; cut off where there is no room.
-static void append(char *text, size_t size, const char *format, ...)
+void snapshot_command(const Session *session, char *text, size_t size)
 {
-    size_t length = strlen(text);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text + length, size - length, format, arguments);
-    va_end(arguments);
-}
-
-static void append_view(const View *view, char *text, size_t size)
-{
-    append(text, size, " --view %s --colour %s", view_kind_name(view->kind), colour_mode_name(view->colour));
+    const PreviewOptions *options = session->options;
+    const View *view = session->view;
     const Framing *framing = &view->framing;
-    if (view->kind == VIEW_LOBE)
-        append(text, size, " --exponent %g --angle %g%s", (double)view->exponent, (double)view->angle,
-               view->diffuse ? " --diffuse" : "");
-    if (view->kind == VIEW_PATHS && view->path >= 0)
-        append(text, size, " --path %ld", view->path);
-    if (view->kind == VIEW_PATHS && view->bounce >= 0)
-        append(text, size, " --bounce %d", view->bounce);
-    if (view->kind == VIEW_SCREEN && view->surface >= 0)
-        append(text, size, " --surface %d", view->surface);
-    if (view->kind == VIEW_TREE)
-        append(text, size, " --level %d", view->level);
-    if (view_is_framed(view) && (framing->zoom != 1.0f || framing->right != 0.0f || framing->up != 0.0f))
-        append(text, size, " --framing %.4g,%.4g,%.4g", (double)framing->zoom, (double)framing->right,
-               (double)framing->up);
+    Vec3 p = orbit_camera(&view->orbit).position, t = view->orbit.target;
+    text[0] = '\0';
+    text_append(text, size, "build/photonlab preview %s --snapshot %s --size %dx%d --photons %ld --seed %llu",
+                options->scene_path, options->snapshot, canvas_width(session->canvas), canvas_height(session->canvas),
+                session->photons, (unsigned long long)session->seed);
+    text_append(text, size, " --camera %.5g,%.5g,%.5g,%.5g,%.5g,%.5g", (double)p.x, (double)p.y, (double)p.z,
+                (double)t.x, (double)t.y, (double)t.z);
+    text_append(text, size, " --view %s --colour %s", view_type(view)->name, colour_mode_name(view->colour));
+    append_settings(view, text, size);
+    if (view_type(view)->place != IN_THE_SCENE &&
+        (framing->zoom != 1.0f || framing->right != 0.0f || framing->up != 0.0f))
+        text_append(text, size, " --framing %.4g,%.4g,%.4g", (double)framing->zoom, (double)framing->right,
+                    (double)framing->up);
     if (view->flight >= 0.0)
-        append(text, size, " --flight %.4g", view->flight);
+        text_append(text, size, " --flight %.4g", view->flight);
     if (view->split)
-        append(text, size, " --split");
+        text_append(text, size, " --split");
     if (!view->wireframe)
-        append(text, size, " --no-wireframe");
-}
-
-void snapshot_command(const PreviewOptions *options, const View *view, const Session *session, int width, int height,
-                      char *text, size_t size)
-{
-    Camera camera = orbit_camera(&view->orbit);
-    Vec3 p = camera.position, t = view->orbit.target;
-    snprintf(text, size,
-             "build/photonlab preview %s --snapshot %s --size %dx%d --photons %ld --seed %llu "
-             "--camera %.5g,%.5g,%.5g,%.5g,%.5g,%.5g",
-             options->scene_path, options->snapshot, width, height, session->photons, (unsigned long long)session->seed,
-             (double)p.x, (double)p.y, (double)p.z, (double)t.x, (double)t.y, (double)t.z);
-    append_view(view, text, size);
+        text_append(text, size, " --no-wireframe");
     if (options->code)
-        append(text, size, " --code %s", options->code);
+        text_append(text, size, " --code %s", options->code);
     if (options->play_is_given) {
-        append(text, size, " --steps ");
+        text_append(text, size, " --steps ");
         step_choice_print(options->play, text + strlen(text), size - strlen(text));
     }
 }
@@ -147,49 +100,53 @@ static bool easel_open(Easel *easel, const PreviewOptions *options, Error *error
 
 static void easel_close(Easel *easel)
 {
-    if (easel->canvas)
-        canvas_free(easel->canvas);
-    if (easel->context)
-        context_free(easel->context);
-    if (easel->window)
-        window_free(easel->window);
+    canvas_free(easel->canvas);
+    context_free(easel->context);
+    window_free(easel->window);
 }
 
 static void show_given(Session *session, const PreviewOptions *options)
 {
-    side_set_recording(session->sides[YOURS], *options->given);
+    view_data_record(session->data[YOURS], *options->given);
     *options->given = (Recording){.photons = NULL};
     if (options->given_reference) {
-        side_set_recording(session->sides[REFERENCE], *options->given_reference);
+        view_data_record(session->data[REFERENCE], *options->given_reference);
         *options->given_reference = (Recording){.photons = NULL};
     }
 }
 
 // Waits until everything that the view needs is there.
-static void settle(Session *session, const View *view)
+static void settle(Session *session)
 {
-    while (session_poll(session, view) || session_is_busy(session))
+    while (session_poll(session) || session_is_busy(session))
         session_wait(session, 0.05);
+}
+
+static bool easel_start(Easel *easel, Session *session, const Scene *scene, const PreviewOptions *options,
+                        Broker *broker, Error *error)
+{
+    return easel_open(easel, options, error) &&
+           session_start(session, scene, options, &options->view, broker, easel->canvas, error);
+}
+
+static bool easel_write(const Session *session, Error *error)
+{
+    session_draw(session, session->view, NULL);
+    return snapshot_write(session->canvas, session->options->snapshot, error);
 }
 
 bool preview_snapshot(const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error)
 {
     Easel easel;
     Session session = {.photons = 0};
-    bool ok = easel_open(&easel, options, error);
-    if (ok && (ok = session_start(&session, scene, options, broker, easel.canvas, error))) {
-        if (options->given) {
-            show_given(&session, options);
-        } else {
-            session_ask_photons(&session, &options->view);
-            settle(&session, &options->view);
-        }
-        if (session.fault[0])
-            ok = error_set(error, "%s", session.fault);
-        else
-            session_draw(&session, easel.canvas, &options->view, options->bare);
-    }
-    ok = ok && snapshot_write(easel.canvas, options->snapshot, error);
+    bool ok = easel_start(&easel, &session, scene, options, broker, error);
+    if (ok && options->given)
+        show_given(&session, options);
+    else if (ok)
+        settle(&session);
+    if (session.fault[0])
+        ok = error_set(error, "%s", session.fault);
+    ok = ok && easel_write(&session, error);
     session_end(&session);
     easel_close(&easel);
     return ok;
@@ -199,19 +156,13 @@ bool preview_snapshots(const Scene *scene, const PreviewOptions *options, Broker
 {
     Easel easel;
     Session session = {.photons = 0};
-    bool ok =
-        easel_open(&easel, options, error) && session_start(&session, scene, options, broker, easel.canvas, error);
-    if (ok)
-        session_ask_photons(&session, &options->view);
+    bool ok = easel_start(&easel, &session, scene, options, broker, error);
     while (ok) {
-        bool news = session_poll(&session, &options->view);
-        if (news && !session_is_busy(&session)) {
-            session_draw(&session, easel.canvas, &options->view, options->bare);
-            if (snapshot_write(easel.canvas, options->snapshot, error))
+        if (session_poll(&session) && !session_is_busy(&session)) {
+            if (easel_write(&session, error))
                 printf("%s is new\n", options->snapshot);
             else
-                printf("%s\n", error->message); // the next save may fare better
-            fflush(stdout);
+                puts(error->message); // the next save may fare better
         }
         session_wait(&session, 0.2);
     }

@@ -89,10 +89,7 @@ Canvas *canvas_create(GlLoader loader, int width, int height, Error *error)
     gl->GenRenderbuffers(1, &canvas->colour);
     gl->GenRenderbuffers(1, &canvas->depth);
     make_texture(canvas);
-    canvas->stream = batch_create(canvas);
-    if (!canvas->stream)
-        error_set(error, "not enough memory");
-    if (!canvas->stream || !make_programs(canvas, error) || !canvas_resize(canvas, width, height, error)) {
+    if (!make_programs(canvas, error) || !canvas_resize(canvas, width, height, error)) {
         canvas_free(canvas);
         return NULL;
     }
@@ -111,8 +108,7 @@ void canvas_free(Canvas *canvas)
     if (!canvas)
         return;
     const Gl *gl = &canvas->gl;
-    if (canvas->stream)
-        batch_free(canvas, canvas->stream);
+    vertex_buffer_free(canvas, &canvas->stream);
     gl->DeleteFramebuffers(1, &canvas->framebuffer);
     gl->DeleteRenderbuffers(1, &canvas->colour);
     gl->DeleteRenderbuffers(1, &canvas->depth);

@@ -41,13 +41,14 @@ typedef struct {
 } DrawStyle;
 
 // Vertices that stay in graphics memory from frame to frame.
-typedef struct Batch Batch;
-Batch *batch_create(Canvas *canvas);
-void batch_free(Canvas *canvas, Batch *batch);
-void batch_upload(Canvas *canvas, Batch *batch, const Vertex *vertices, size_t count);
-size_t batch_count(const Batch *batch);
+typedef struct {
+    unsigned array, buffer; // OpenGL's names; 0: nothing was uploaded yet
+    size_t count;
+} VertexBuffer;
+void vertex_buffer_upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *vertices, size_t count);
+void vertex_buffer_free(Canvas *canvas, VertexBuffer *buffer);
 // Vertices first … first+count−1, as many as there are.
-void batch_draw(Canvas *canvas, const Batch *batch, size_t first, size_t count, const DrawStyle *style);
+void vertex_buffer_draw(Canvas *canvas, const VertexBuffer *buffer, size_t first, size_t count, const DrawStyle *style);
 // For what changes with every frame.
 void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const DrawStyle *style);
 

@@ -1,49 +1,34 @@
-// Batches of vertices, and what is drawn flat over the picture.
+// Buffers of vertices, and what is drawn flat over the picture.
 #include "preview/draw/canvas_internal.h"
 
-#include <stdlib.h>
-
-Batch *batch_create(Canvas *canvas)
+static void upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *vertices, size_t count, unsigned usage)
 {
     const Gl *gl = &canvas->gl;
-    Batch *batch = calloc(1, sizeof *batch);
-    if (!batch)
-        return NULL;
-    gl->GenVertexArrays(1, &batch->array);
-    gl->GenBuffers(1, &batch->buffer);
-    gl->BindVertexArray(batch->array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, batch->buffer);
-    gl->EnableVertexAttribArray(0);
-    gl->EnableVertexAttribArray(1);
-    gl->VertexAttribPointer(0, 3, GL_FLOAT, 0, sizeof(Vertex), NULL);
-    gl->VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, 1, sizeof(Vertex), (const void *)offsetof(Vertex, r));
-    return batch;
+    if (!buffer->array) {
+        gl->GenVertexArrays(1, &buffer->array);
+        gl->GenBuffers(1, &buffer->buffer);
+        gl->BindVertexArray(buffer->array);
+        gl->BindBuffer(GL_ARRAY_BUFFER, buffer->buffer);
+        gl->EnableVertexAttribArray(0);
+        gl->EnableVertexAttribArray(1);
+        gl->VertexAttribPointer(0, 3, GL_FLOAT, 0, sizeof(Vertex), NULL);
+        gl->VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, 1, sizeof(Vertex), (const void *)offsetof(Vertex, r));
+    }
+    gl->BindBuffer(GL_ARRAY_BUFFER, buffer->buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, (ptrdiff_t)(count * sizeof *vertices), vertices, usage);
+    buffer->count = count;
 }
 
-void batch_free(Canvas *canvas, Batch *batch)
+void vertex_buffer_upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *vertices, size_t count)
 {
-    if (!batch)
-        return;
-    canvas->gl.DeleteVertexArrays(1, &batch->array);
-    canvas->gl.DeleteBuffers(1, &batch->buffer);
-    free(batch);
+    upload(canvas, buffer, vertices, count, GL_STATIC_DRAW);
 }
 
-void batch_put(Canvas *canvas, Batch *batch, const Vertex *vertices, size_t count, unsigned usage)
+void vertex_buffer_free(Canvas *canvas, VertexBuffer *buffer)
 {
-    canvas->gl.BindBuffer(GL_ARRAY_BUFFER, batch->buffer);
-    canvas->gl.BufferData(GL_ARRAY_BUFFER, (ptrdiff_t)(count * sizeof *vertices), vertices, usage);
-    batch->count = count;
-}
-
-void batch_upload(Canvas *canvas, Batch *batch, const Vertex *vertices, size_t count)
-{
-    batch_put(canvas, batch, vertices, count, GL_STATIC_DRAW);
-}
-
-size_t batch_count(const Batch *batch)
-{
-    return batch->count;
+    canvas->gl.DeleteVertexArrays(1, &buffer->array); // 0 is no array, and nothing is done
+    canvas->gl.DeleteBuffers(1, &buffer->buffer);
+    *buffer = (VertexBuffer){0, 0, 0};
 }
 
 static void set_style(Canvas *canvas, const DrawStyle *style)
@@ -58,16 +43,16 @@ static void set_style(Canvas *canvas, const DrawStyle *style)
         gl->PointSize(style->point_size != 0 ? style->point_size : 1.0f);
 }
 
-void batch_draw(Canvas *canvas, const Batch *batch, size_t first, size_t count, const DrawStyle *style)
+void vertex_buffer_draw(Canvas *canvas, const VertexBuffer *buffer, size_t first, size_t count, const DrawStyle *style)
 {
     static const unsigned KINDS[] = {
         [DRAW_POINTS] = GL_POINTS, [DRAW_LINES] = GL_LINES, [DRAW_TRIANGLES] = GL_TRIANGLES};
-    if (first >= batch->count || count == 0)
+    if (first >= buffer->count || count == 0)
         return;
-    if (count > batch->count - first)
-        count = batch->count - first;
+    if (count > buffer->count - first)
+        count = buffer->count - first;
     set_style(canvas, style);
-    canvas->gl.BindVertexArray(batch->array);
+    canvas->gl.BindVertexArray(buffer->array);
     canvas->gl.DrawArrays(KINDS[style->kind], (int)first, (int)count);
 }
 
@@ -75,8 +60,8 @@ void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const Dra
 {
     if (count == 0)
         return;
-    batch_put(canvas, canvas->stream, vertices, count, GL_STREAM_DRAW);
-    batch_draw(canvas, canvas->stream, 0, count, style);
+    upload(canvas, &canvas->stream, vertices, count, GL_STREAM_DRAW);
+    vertex_buffer_draw(canvas, &canvas->stream, 0, count, style);
 }
 
 // Triangles in pixels, over all that was drawn.

@@ -4,11 +4,6 @@
 
 #include "preview/draw/gl.h"
 
-struct Batch {
-    unsigned array, buffer;
-    size_t count;
-};
-
 // A rectangle of the framebuffer from its bottom left, and the projection into it.
 typedef struct {
     int x, y, width, height;
@@ -25,17 +20,16 @@ struct Canvas {
     unsigned picture_program; // of canvas_picture
     int place;
     unsigned texture, no_array; // a vertex array without vertices
-    Batch *stream;              // canvas_draw's
+    VertexBuffer stream;        // canvas_draw's
     CanvasView view;            // as canvas_view set it
-    Vertex *text;               // room for canvas_text, grows
-    size_t text_room;
+    Vertex *text;               // canvas_text's triangles; grows
+    size_t text_capacity;
 };
 
 // Sets viewport, scissor and projection.
 void canvas_use_view(Canvas *canvas, const CanvasView *view);
 // Pixels from the top left, over the whole canvas.
 CanvasView canvas_flat_view(const Canvas *canvas);
-void batch_put(Canvas *canvas, Batch *batch, const Vertex *vertices, size_t count, unsigned usage);
 
 // Triangles of the text's letters, at (x, y) in pixels; NULL for count 0. They stay until the next call.
 const Vertex *text_vertices(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text,

@@ -60,15 +60,15 @@ static char *printable(const char *text)
     return copy;
 }
 
-// Grows the canvas' room for vertices.
-static Vertex *make_room(Canvas *canvas, size_t count)
+// Memory for so many, kept by the canvas.
+static Vertex *triangles_for(Canvas *canvas, size_t count)
 {
-    if (count > canvas->text_room) {
+    if (count > canvas->text_capacity) {
         Vertex *larger = realloc(canvas->text, count * sizeof *larger);
         if (!larger)
             return NULL;
         canvas->text = larger;
-        canvas->text_room = count;
+        canvas->text_capacity = count;
     }
     return canvas->text;
 }
@@ -89,12 +89,12 @@ const Vertex *text_vertices(Canvas *canvas, float x, float y, float scale, const
 {
     *count = 0;
     char *letters = printable(text);
-    size_t room = letters ? strlen(letters) * QUADS_PER_LETTER : 0;
-    Vertex *quads = malloc((room * 4 + 1) * sizeof *quads);
-    Vertex *triangles = make_room(canvas, room * 6 + 1);
+    size_t most = letters ? strlen(letters) * QUADS_PER_LETTER : 0;
+    Vertex *quads = malloc((most * 4 + 1) * sizeof *quads);
+    Vertex *triangles = triangles_for(canvas, most * 6 + 1);
     if (letters && quads && triangles) {
         unsigned char colour[4] = {rgba[0], rgba[1], rgba[2], rgba[3]};
-        int made = stb_easy_font_print(0, 0, letters, colour, quads, (int)(room * 4 * sizeof *quads));
+        int made = stb_easy_font_print(0, 0, letters, colour, quads, (int)(most * 4 * sizeof *quads));
         // Whole pixels: a stroke between two would be there or not by chance.
         x = (float)(int)(x + 0.5f);
         y = (float)(int)(y + 0.5f);

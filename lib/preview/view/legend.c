@@ -4,14 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define MOST_ENTRIES 12
-
-typedef struct {
-    Rgba colour;
-    char text[40];
-} Entry;
-
-static int list_bounces(Entry *entries)
+static int list_bounces(LegendEntry *entries)
 {
     for (int i = 0; i < BOUNCE_COLOURS; i++) {
         entries[i].colour = palette_bounce(i);
@@ -21,7 +14,7 @@ static int list_bounces(Entry *entries)
     return BOUNCE_COLOURS;
 }
 
-static int list_photons(Entry *entries)
+static int list_photons(LegendEntry *entries)
 {
     for (int i = 0; i < 4; i++) {
         entries[i].colour = palette_photon(i);
@@ -31,7 +24,7 @@ static int list_photons(Entry *entries)
 }
 
 // Rough ones where photons are stored; all where they fly to.
-static int list_materials(const Scene *scene, bool all, Entry *entries)
+static int list_materials(const Scene *scene, bool all, LegendEntry *entries)
 {
     int count = 0;
     for (size_t i = 0; i < scene->material_count && count < MOST_ENTRIES; i++) {
@@ -48,52 +41,49 @@ static int list_materials(const Scene *scene, bool all, Entry *entries)
     return count;
 }
 
-static int list_power(const Side *side, Entry *entries)
+static int list_power(const ViewData *data, LegendEntry *entries)
 {
     static const float PARTS[3] = {1.0f, 0.3f, 0.1f};
-    if (side->recording.count == 0)
+    if (data->recording.count == 0)
         return 0;
     for (int i = 0; i < 3; i++) {
-        float power = PARTS[i] * side->power;
-        entries[i].colour = rgba_of_power(colour_grey(power), side->power);
+        float power = PARTS[i] * data->power;
+        entries[i].colour = rgba_of_power(colour_grey(power), data->power);
         snprintf(entries[i].text, sizeof entries[i].text, "%.2g W%s", (double)power, i == 0 ? " or more" : "");
     }
     return 3;
 }
 
-static int list_lobe(Entry *entries)
+static int list_colours(const View *view, const ViewData *data, bool all_materials, LegendEntry *entries)
 {
-    entries[0] = (Entry){{90, 200, 255, 255}, "the equation"};
-    entries[1] = (Entry){{255, 205, 110, 255}, "samples"};
-    entries[2] = (Entry){{235, 235, 245, 255}, "photon"};
-    entries[3] = (Entry){{255, 130, 90, 255}, "mirror direction"};
-    entries[4] = (Entry){{150, 235, 150, 255}, "normal"};
-    return 5;
-}
-
-static int list_entries(const View *view, const Scene *scene, const Side *side, Entry *entries)
-{
-    if (view->kind == VIEW_LOBE)
-        return list_lobe(entries);
-    if (view->kind == VIEW_TREE)
-        return 0; // one hue a cell
     switch (view->colour) {
     case COLOUR_POWER:
-        return list_power(side, entries);
+        return list_power(data, entries);
     case COLOUR_PHOTON:
         return list_photons(entries);
     case COLOUR_BOUNCE:
         return list_bounces(entries);
     case COLOUR_MATERIAL:
-        return list_materials(scene, view->kind == VIEW_PATHS, entries);
+        return list_materials(data->scene, all_materials, entries);
     }
     return 0;
 }
 
-void legend_draw(Canvas *canvas, const View *view, const Scene *scene, const Side *side, float top)
+int legend_of_photons(const View *view, const ViewData *data, LegendEntry *entries)
 {
-    Entry entries[MOST_ENTRIES];
-    int count = list_entries(view, scene, side, entries);
+    return list_colours(view, data, false, entries);
+}
+
+int legend_of_legs(const View *view, const ViewData *data, LegendEntry *entries)
+{
+    return list_colours(view, data, true, entries);
+}
+
+void legend_draw(Canvas *canvas, const View *view, const ViewData *data, float top)
+{
+    LegendEntry entries[MOST_ENTRIES];
+    int (*list)(const View *, const ViewData *, LegendEntry *) = view_type(view)->legend;
+    int count = list ? list(view, data, entries) : 0;
     if (count == 0)
         return;
     float scale = overlay_scale(canvas), line = 12.0f * scale, margin = 6.0f * scale, width = 0.0f;

@@ -88,13 +88,13 @@ static const uint8_t *bytes(const Rgba *colour)
     return (const uint8_t *)colour;
 }
 
-float overlay_plate(Canvas *canvas, float x, float y, float scale, Rgba ink, Rgba plate, const char *text)
+// Text on a dark plate; (x, y) its top left corner.
+static void draw_plate(Canvas *canvas, float x, float y, float scale, Rgba ink, Rgba plate, const char *text)
 {
     float width, height, margin = MARGIN * scale;
     text_size(text, scale, &width, &height);
     canvas_rectangle(canvas, x, y, width + 2.0f * margin, height + 1.4f * margin, bytes(&plate));
     canvas_text(canvas, x + margin, y + margin, scale, bytes(&ink), text);
-    return height + 1.4f * margin;
 }
 
 static float draw_banner(Canvas *canvas, float scale, const char *text)
@@ -122,44 +122,43 @@ static void draw_status(Canvas *canvas, float scale, const char *text)
 
 static void draw_help(Canvas *canvas, float scale, const char *text)
 {
-    float width, height, room_x = (float)canvas_width(canvas), room_y = (float)canvas_height(canvas);
+    float width, height, across = (float)canvas_width(canvas), down = (float)canvas_height(canvas);
     text_size(text, scale, &width, &height);
-    while (scale > 0.6f && (width + 3.0f * MARGIN * scale > room_x || height + 3.0f * MARGIN * scale > room_y)) {
+    while (scale > 0.6f && (width + 3.0f * MARGIN * scale > across || height + 3.0f * MARGIN * scale > down)) {
         scale -= 0.1f;
         text_size(text, scale, &width, &height);
     }
-    overlay_plate(canvas, 0.5f * (room_x - width) - MARGIN * scale, 0.5f * (room_y - height) - MARGIN * scale, scale,
-                  COLOUR_OF_TEXT, (Rgba){16, 22, 36, 240}, text);
+    draw_plate(canvas, 0.5f * (across - width) - MARGIN * scale, 0.5f * (down - height) - MARGIN * scale, scale,
+               COLOUR_OF_TEXT, (Rgba){16, 22, 36, 240}, text);
 }
 
 // What is shown, at the top left.
-static float draw_description(Canvas *canvas, float scale, float top, const View *view, const Scene *scene,
-                              const Side *side, bool narrow)
+static void draw_description(Canvas *canvas, float scale, float top, const View *view, const ViewData *data)
 {
-    char text[1024], wrapped[1200];
-    view_describe(view, scene, side, text, sizeof text);
+    char text[1024] = "", wrapped[1200];
+    view_type(view)->describe(view, data, text, sizeof text);
     if (!text[0])
-        return 0.0f;
-    float room = (float)canvas_width(canvas) * (narrow ? 0.46f : 0.66f) - 2.0f * MARGIN * scale;
-    overlay_wrap(text, scale, room, 7, wrapped, sizeof wrapped);
-    return overlay_plate(canvas, 0, top, scale, COLOUR_OF_TEXT, (Rgba){12, 15, 22, 150}, wrapped);
+        return;
+    float width = (float)canvas_width(canvas) * (view->split ? 0.46f : 0.66f) - 2.0f * MARGIN * scale;
+    overlay_wrap(text, scale, width, 7, wrapped, sizeof wrapped);
+    draw_plate(canvas, 0, top, scale, COLOUR_OF_TEXT, (Rgba){12, 15, 22, 150}, wrapped);
 }
 
 static void draw_title(Canvas *canvas, float scale, float middle, float bottom, const char *title)
 {
     float width = canvas_text_width(scale, title) + 2.0f * MARGIN * scale;
-    overlay_plate(canvas, middle - 0.5f * width, bottom - (LINE + 1.4f * MARGIN) * scale, scale, COLOUR_OF_LIGHTS,
-                  PLATE, title);
+    draw_plate(canvas, middle - 0.5f * width, bottom - (LINE + 1.4f * MARGIN) * scale, scale, COLOUR_OF_LIGHTS, PLATE,
+               title);
 }
 
-void overlay_draw(Canvas *canvas, const View *view, const Scene *scene, Side *yours, const Captions *captions)
+void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const Captions *captions)
 {
     float scale = overlay_scale(canvas), top = 0.0f, width = (float)canvas_width(canvas);
     if (captions->banner && captions->banner[0])
         top = draw_banner(canvas, scale, captions->banner);
     if (!captions->picture) {
-        draw_description(canvas, scale, top, view, scene, yours, view->split);
-        legend_draw(canvas, view, scene, yours, top);
+        draw_description(canvas, scale, top, view, yours);
+        legend_draw(canvas, view, yours, top);
     }
     if (view->split && !captions->picture) {
         float bottom = (float)canvas_height(canvas) - (captions->status ? 38.0f * scale : 4.0f);

@@ -3,7 +3,6 @@
 
 const Rgba COLOUR_OF_LIGHTS = {255, 220, 80, 255};
 const Rgba COLOUR_OF_TEXT = {232, 236, 242, 255};
-const Rgba COLOUR_OF_HINTS = {160, 170, 186, 255};
 
 Rgba palette_photon(int colour)
 {

@@ -1,4 +1,4 @@
-// Lists of vertices, and batches that remember what they were made of.
+// Lists of vertices, and buffers that remember what they were made of.
 #include "preview/view/view_internal.h"
 
 #include <stdlib.h>
@@ -16,16 +16,16 @@ bool vertices_reserve(Vertices *list, size_t more)
 {
     if (list->lost)
         return false;
-    if (list->count + more <= list->room)
+    if (list->count + more <= list->capacity)
         return true;
-    size_t room = list->room * 2 > list->count + more ? list->room * 2 : list->count + more;
-    Vertex *items = realloc(list->items, room * sizeof *items);
+    size_t capacity = list->capacity * 2 > list->count + more ? list->capacity * 2 : list->count + more;
+    Vertex *items = realloc(list->items, capacity * sizeof *items);
     if (!items) {
         list->lost = true;
         return false;
     }
     list->items = items;
-    list->room = room;
+    list->capacity = capacity;
     return true;
 }
 
@@ -76,15 +76,15 @@ void vertices_box(Vertices *list, Box box, Rgba colour)
 
 bool cache_is(Cache *cache, const double key[KEY_SIZE])
 {
-    if (cache->valid && memcmp(cache->key, key, sizeof cache->key) == 0)
+    if (cache->made && memcmp(cache->key, key, sizeof cache->key) == 0)
         return true;
     memcpy(cache->key, key, sizeof cache->key);
-    cache->valid = true;
+    cache->made = true;
     return false;
 }
 
 void cache_fill(Canvas *canvas, Cache *cache, Vertices *list)
 {
-    batch_upload(canvas, cache->batch, list->items, list->count);
+    vertex_buffer_upload(canvas, &cache->buffer, list->items, list->count);
     vertices_free(list);
 }

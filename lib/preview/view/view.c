@@ -1,38 +1,45 @@
+// The list of views, and what drawing each of them begins and ends with.
 #include "preview/view/view_internal.h"
+#include "base/text.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-static const char *const KINDS[VIEW_COUNT] = {"points", "paths", "lobe", "screen", "tree"};
-static const char *const COLOURS[COLOUR_COUNT] = {"power", "photon", "bounce", "material"};
+#define VIEW(kind, name) extern const ViewType view_##name;
+#include "preview/view/views.def"
+#undef VIEW
+#define VIEW(kind, name) [VIEW_##kind] = &view_##name,
+const ViewType *const view_types[VIEW_COUNT] = {
+#include "preview/view/views.def"
+};
+#undef VIEW
 
-static int find_name(const char *const *names, int count, const char *name)
-{
-    for (int i = 0; i < count; i++)
-        if (strcmp(names[i], name) == 0)
-            return i;
-    return -1;
-}
+static const char *const COLOURS[COLOUR_COUNT] = {"power", "photon", "bounce", "material"};
 
 bool view_kind_parse(const char *name, ViewKind *kind)
 {
-    int found = find_name(KINDS, VIEW_COUNT, name);
-    if (found >= 0)
-        *kind = (ViewKind)found;
-    return found >= 0;
+    for (int i = 0; i < VIEW_COUNT; i++)
+        if (strcmp(view_types[i]->name, name) == 0) {
+            *kind = (ViewKind)i;
+            return true;
+        }
+    return false;
+}
+
+void view_kind_names(char *text, size_t size)
+{
+    text[0] = '\0';
+    for (int i = 0; i < VIEW_COUNT; i++)
+        text_append(text, size, "%s%s", i == 0 ? "" : i + 1 < VIEW_COUNT ? ", " : " or ", view_types[i]->name);
 }
 
 bool colour_mode_parse(const char *name, ColourMode *colour)
 {
-    int found = find_name(COLOURS, COLOUR_COUNT, name);
-    if (found >= 0)
-        *colour = (ColourMode)found;
-    return found >= 0;
-}
-
-const char *view_kind_name(ViewKind kind)
-{
-    return KINDS[kind];
+    for (int i = 0; i < COLOUR_COUNT; i++)
+        if (strcmp(COLOURS[i], name) == 0) {
+            *colour = (ColourMode)i;
+            return true;
+        }
+    return false;
 }
 
 const char *colour_mode_name(ColourMode colour)
@@ -40,33 +47,31 @@ const char *colour_mode_name(ColourMode colour)
     return COLOURS[colour];
 }
 
-bool view_is_framed(const View *view)
+View view_default(const Scene *scene)
 {
-    return view->kind == VIEW_LOBE || view->kind == VIEW_SCREEN;
+    View view = {
+        .orbit = orbit_of_camera(&scene->camera, bvh_bounds(scene->bvh)),
+        .framing = FRAMING_DEFAULT,
+        .wireframe = true,
+        .flight = -1.0,
+    };
+    for (int i = 0; i < VIEW_COUNT; i++)
+        for (int j = 0; j < MOST_SETTINGS; j++)
+            view.settings[i][j] = view_types[i]->settings[j].start;
+    return view;
+}
+
+double wrap(double value, double low, double high)
+{
+    if (value < low)
+        return high;
+    return value > high ? low : value;
 }
 
 void pane_frame(const Framing *framing, Orbit *orbit)
 {
     orbit->distance /= framing->zoom;
     orbit_pan(orbit, framing->right * framing->zoom, framing->up * framing->zoom);
-}
-
-View view_default(const Scene *scene)
-{
-    return (View){
-        .kind = VIEW_POINTS,
-        .colour = COLOUR_POWER,
-        .orbit = orbit_of_camera(&scene->camera, bvh_bounds(scene->bvh)),
-        .framing = FRAMING_DEFAULT,
-        .wireframe = true,
-        .path = -1,
-        .bounce = -1,
-        .exponent = 20.0f,
-        .angle = 45.0f,
-        .surface = -1,
-        .level = 8,
-        .flight = -1.0,
-    };
 }
 
 void pane_look_beside(const Pane *pane, const Orbit *orbit, Box box, float right, float down)
@@ -85,29 +90,23 @@ void pane_look(const Pane *pane, const Orbit *orbit, Box box)
     pane_look_beside(pane, orbit, box, 0, 0);
 }
 
+void pane_look_at_scene(const Pane *pane)
+{
+    pane_look(pane, &pane->view->orbit, bvh_bounds(pane->scene->bvh));
+}
+
+void pane_draw_cache(const Pane *pane, const Cache *cache, size_t first, size_t count, DrawStyle style)
+{
+    style.no_depth = true;
+    vertex_buffer_draw(pane->canvas, &cache->buffer, first, count, &style);
+}
+
 static void pane_draw(const Pane *pane)
 {
-    const View *view = pane->view;
-    bool in_scene = view->kind != VIEW_LOBE && view->kind != VIEW_SCREEN;
-    if (view->wireframe && in_scene)
-        wireframe_draw(pane, view->kind == VIEW_TREE ? 0.45f : 0.75f);
-    switch (view->kind) {
-    case VIEW_POINTS:
-        view_points_draw(pane);
-        return;
-    case VIEW_PATHS:
-        view_paths_draw(pane);
-        return;
-    case VIEW_LOBE:
-        view_lobe_draw(pane);
-        return;
-    case VIEW_SCREEN:
-        view_screen_draw(pane);
-        return;
-    case VIEW_TREE:
-        view_tree_draw(pane);
-        return;
-    }
+    const ViewType *type = view_type(pane->view);
+    if (pane->view->wireframe && type->place == IN_THE_SCENE)
+        wireframe_draw(pane, type->wires);
+    type->draw(pane);
 }
 
 // As large as it fits.
@@ -120,13 +119,12 @@ static void draw_picture(Canvas *canvas, const Captions *captions)
                    scale * rows, captions->picture, captions->picture_columns, captions->picture_rows);
 }
 
-void view_draw(Canvas *canvas, const Scene *scene, const View *view, Side *yours, Side *reference,
-               const Captions *captions)
+void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *reference, const Captions *captions)
 {
     int width = canvas_width(canvas), height = canvas_height(canvas);
     bool split = view->split && reference && !captions->picture;
     int half = width / 2;
-    Pane pane = {canvas, scene, view, yours, 0, 0, split ? half : width, height, overlay_scale(canvas)};
+    Pane pane = {canvas, yours->scene, view, yours, 0, 0, split ? half : width, height, overlay_scale(canvas)};
     canvas_background(canvas, 7, 9, 14);
     canvas_begin(canvas);
     if (captions->picture && captions->picture_columns > 0 && captions->picture_rows > 0) {
@@ -134,7 +132,7 @@ void view_draw(Canvas *canvas, const Scene *scene, const View *view, Side *yours
     } else {
         pane_draw(&pane);
         if (split) {
-            pane.side = reference;
+            pane.data = reference;
             pane.left = half;
             pane.width = width - half;
             pane_draw(&pane);
@@ -142,5 +140,5 @@ void view_draw(Canvas *canvas, const Scene *scene, const View *view, Side *yours
         }
     }
     if (!captions->bare)
-        overlay_draw(canvas, view, scene, yours, captions);
+        overlay_draw(canvas, view, yours, captions);
 }

@@ -1,4 +1,4 @@
-// What the preview shows, and how it is drawn: from photons to vertices. Nothing here knows a window.
+// What the preview shows, and how it is drawn: from photons to vertices. Nothing here knows a window or a process.
 #ifndef PHOTONLAB_PREVIEW_VIEW_H
 #define PHOTONLAB_PREVIEW_VIEW_H
 
@@ -7,24 +7,34 @@
 #include "scene/scene.h"
 
 typedef enum {
-    VIEW_POINTS, // stored photons as points
-    VIEW_PATHS,  // paths as lines; one of them chosen
-    VIEW_LOBE,   // samples of the scatter step as a cloud over the lobe of the equation
-    VIEW_SCREEN, // arrivals on one surface, flattened to a plane
-    VIEW_TREE    // cells of the kd-tree
+#define VIEW(kind, name) VIEW_##kind,
+#include "preview/view/views.def"
+#undef VIEW
+    VIEW_COUNT
 } ViewKind;
-#define VIEW_COUNT 5
 
 typedef enum { COLOUR_POWER, COLOUR_PHOTON, COLOUR_BOUNCE, COLOUR_MATERIAL } ColourMode;
 #define COLOUR_COUNT 4
 
-// Of the lobe and the screen, which have no place in the scene: how many times nearer than at first, and how far to the
-// side, in heights of the picture as it was at first.
+// Of views that have no place in the scene: how many times nearer than at first, and how far to the side, in heights of
+// the picture as it was at first.
 typedef struct {
     float zoom, right, up;
 } Framing;
 #define LEAST_ZOOM 0.01f
 #define MOST_ZOOM  1e4f
+
+// What a view lets one choose: a flag of `photonlab preview`, and a number in View.settings.
+#define MOST_SETTINGS 4
+typedef struct {
+    const char *flag; // "exponent" for --exponent
+    enum { SETTING_WHOLE, SETTING_NUMBER, SETTING_SWITCH } kind;
+    double start;      // without the flag. Below `low`: nothing is chosen
+    double low, high;  // that the flag takes
+    char key;          // of a switch: turns it on and off
+    const char *words; // about the key
+} ViewSetting;
+enum { LOBE_EXPONENT, LOBE_ANGLE, LOBE_DIFFUSE }; // VIEW_LOBE's, which its samples depend on
 
 // All that decides what a picture looks like, apart from the photons.
 typedef struct {
@@ -32,35 +42,62 @@ typedef struct {
     ColourMode colour;
     Orbit orbit;
     Framing framing;
-    bool split;            // the reference beside the student's
-    bool wireframe;        // of the scene
-    long path;             // VIEW_PATHS: the chosen one, −1: all alike
-    int bounce;            // of the chosen path, legs up to this one are bright; −1: all
-    float exponent, angle; // VIEW_LOBE
-    bool diffuse;          // VIEW_LOBE: the diffuse step in place of the glossy one
-    int surface;           // VIEW_SCREEN: the surface's number, −1: the one with the most arrivals
-    int level;             // VIEW_TREE: depth of the cells
-    double flight;         // photons are drawn that have flown no farther, m; negative: all
-    size_t most_points;    // drawn; 0: all
-    bool help;             // the overlay of keys
+    bool split;         // the reference beside the student's
+    bool wireframe;     // of the scene
+    double flight;      // photons are drawn that have flown no farther, m; negative: all
+    size_t most_points; // drawn; 0: all
+    bool help;          // the list of keys
+    double settings[VIEW_COUNT][MOST_SETTINGS];
 } View;
+
+// What one half of the picture shows, the student's data or the reference's, and the vertices made of it.
+typedef struct ViewData ViewData;
+ViewData *view_data_create(Canvas *canvas, const Scene *scene);
+void view_data_free(ViewData *data);
+void view_data_record(ViewData *data, Recording recording); // takes it over
+const Recording *view_data_recording(const ViewData *data); // empty (count 0) at first
+void view_data_sample(ViewData *data, LobeSamples samples); // takes it over
+
+typedef struct Pane Pane;
+typedef struct LegendEntry LegendEntry;
+
+// One view; the list of them is views.def. What may be left out says so.
+typedef struct {
+    const char *name;   // for --view
+    const char *help;   // in `photonlab preview --help`: what it shows, and its flags; lines
+    const char *arrows; // what ←/→ and ↑/↓ choose, for the list of keys; with `choose`, or NULL
+    enum {
+        IN_THE_SCENE, // among its wires, from the camera's place
+        ON_A_STAND,   // alone; turned as the scene is, and moved by View.framing
+        ON_A_SHEET    // alone; moved by View.framing
+    } place;
+    float wires;                         // IN_THE_SCENE: how bright the scene's wires are, 0…1
+    bool in_flight;                      // shows photons on their way: slow light has a meaning
+    bool of_step;                        // shows the lobe's samples, and no photons
+    ViewSetting settings[MOST_SETTINGS]; // those with a flag; may be none
+    void (*draw)(const Pane *pane);
+    // Lines about what is shown: "photon 17, bounce 2 of 5, red, 0.0012 W". After `draw`.
+    void (*describe)(const View *view, const ViewData *data, char *text, size_t size);
+    // What the colours mean: fills in up to MOST_ENTRIES, returns how many. NULL: they mean nothing.
+    int (*legend)(const View *view, const ViewData *data, LegendEntry *entries);
+    // An arrow: `step` is 1 or −1, `sideways` for ←/→. NULL: there is nothing to choose.
+    void (*choose)(View *view, const ViewData *data, bool sideways, int step);
+    size_t found_size;               // of what `draw` finds out: ViewData.found, zeroed at first; may be 0
+    void (*free_found)(void *found); // of memory in there; may be NULL
+} ViewType;
+
+extern const ViewType *const view_types[VIEW_COUNT];
+static inline const ViewType *view_type(const View *view)
+{
+    return view_types[view->kind];
+}
 
 View view_default(const Scene *scene);
 #define FRAMING_DEFAULT ((Framing){1.0f, 0.0f, 0.0f})
-bool view_is_framed(const View *view);                        // the lobe or the screen?
 bool view_kind_parse(const char *name, ViewKind *kind);       // points, paths, lobe, screen, tree
+void view_kind_names(char *text, size_t size);                // "points, paths, lobe, screen or tree"
 bool colour_mode_parse(const char *name, ColourMode *colour); // power, photon, bounce, material
-const char *view_kind_name(ViewKind kind);
 const char *colour_mode_name(ColourMode colour);
-
-// One side of the picture: the student's or the reference's data. Vertices are kept in batches until the data or what
-// they depend on changes.
-typedef struct Side Side;
-Side *side_create(Canvas *canvas, const Scene *scene);
-void side_free(Side *side);
-void side_set_recording(Side *side, Recording recording); // takes it over
-const Recording *side_recording(const Side *side);        // empty (count 0) at first
-void side_set_lobe(Side *side, LobeSamples samples);      // takes it over
 
 // What the text around the picture says.
 typedef struct {
@@ -74,9 +111,6 @@ typedef struct {
 } Captions;
 
 // Draws everything; `reference` is needed for a split view only. Leaves the finished picture in the canvas.
-void view_draw(Canvas *canvas, const Scene *scene, const View *view, Side *yours, Side *reference,
-               const Captions *captions);
-// Lines about the chosen path or surface for the overlay: "photon 17, bounce 2 of 5, red, 0.0012 W".
-void view_describe(const View *view, const Scene *scene, const Side *yours, char *text, size_t size);
+void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *reference, const Captions *captions);
 
 #endif

@@ -1,4 +1,4 @@
-// What the files of the view share.
+// What the files of the views share.
 #ifndef PHOTONLAB_PREVIEW_VIEW_INTERNAL_H
 #define PHOTONLAB_PREVIEW_VIEW_INTERNAL_H
 
@@ -10,10 +10,10 @@ typedef struct {
     uint8_t r, g, b, a;
 } Rgba;
 
-// Vertices on their way to a batch. Grows; `lost` when memory was short, and then it takes no more.
+// Vertices on their way to a buffer. Grows; `lost` when memory was short, and then it takes no more.
 typedef struct {
     Vertex *items;
-    size_t count, room;
+    size_t count, capacity;
     bool lost;
 } Vertices;
 
@@ -26,11 +26,11 @@ void vertices_fading(Vertices *list, Vec3 from, Vec3 to, Rgba start, Rgba end);
 void vertices_circle(Vertices *list, Vec3 centre, Vec3 across, Vec3 along, float radius, Rgba colour);
 void vertices_box(Vertices *list, Box box, Rgba colour);
 
-// A batch, and what it was made of.
+// Vertices that are made anew only when something that they depend on has changed: the key.
 #define KEY_SIZE 6
 typedef struct {
-    Batch *batch;
-    bool valid;
+    VertexBuffer buffer;
+    bool made;
     double key[KEY_SIZE];
 } Cache;
 // True when it was made of this already. Otherwise it counts as made of it from now on.
@@ -38,46 +38,41 @@ bool cache_is(Cache *cache, const double key[KEY_SIZE]);
 // Uploads the vertices, and frees them.
 void cache_fill(Canvas *canvas, Cache *cache, Vertices *list);
 
-struct Side {
+struct ViewData {
     Canvas *canvas;
     const Scene *scene;
     Recording recording;
     LobeSamples lobe;
-    Cache wires, points, paths, screen, tree, tree_points, lobe_lines, lobe_points;
-    float *flown;   // of the points, in their order, when they are sorted by it
-    float power;    // W: a bright photon's
-    PhotonMap *map; // NULL: not built
-    int cell_level;
-    size_t cells, largest_cell;
-    int screen_surface; // the busiest; −2: not looked for yet
-    size_t arrivals, arrivals_inside;
-    size_t lobe_absorbed, lobe_below, lobe_long;
+    int recordings, lobes; // how many there have been: to be part of the keys of what is made of the present one
+    float power;           // W: a bright photon's
+    Cache wires, caches[VIEW_COUNT][2]; // each view's own two
+    void *found[VIEW_COUNT];            // what each view found out: ViewType.found_size bytes
 };
 
-// Where one side is drawn.
-typedef struct {
+// Where one half is drawn.
+struct Pane {
     Canvas *canvas;
     const Scene *scene;
     const View *view;
-    Side *side;
+    ViewData *data;
     int left, top, width, height; // pixels
     float scale;                  // of the text, and of points
-} Pane;
+};
 
 void pane_look(const Pane *pane, const Orbit *orbit, Box box);
 // The same, everything moved by so many pixels: lines drawn twice are twice as wide.
 void pane_look_beside(const Pane *pane, const Orbit *orbit, Box box, float right, float down);
-
-// Nearer and to the side, as the view says, from where the lobe or the screen is seen at first.
+void pane_look_at_scene(const Pane *pane);
+// Nearer and to the side, as the view says, from where a view with no place in the scene is seen at first.
 void pane_frame(const Framing *framing, Orbit *orbit);
+// Vertices first … first+count−1, as many as there are.
+void pane_draw_cache(const Pane *pane, const Cache *cache, size_t first, size_t count, DrawStyle style);
 
-void view_points_draw(const Pane *pane);
-void view_paths_draw(const Pane *pane);
-void view_lobe_draw(const Pane *pane);
-void view_screen_draw(const Pane *pane);
-void view_tree_draw(const Pane *pane);
 void wireframe_draw(const Pane *pane, float strength); // 0…1
 void wireframe_build(const Scene *scene, Vertices *list);
+
+// The value, or the other end of low…high where it is past one.
+double wrap(double value, double low, double high);
 
 // ---- points ----
 // Factor on colours such that so many photons over so many pixels make a picture of middle brightness.
@@ -85,7 +80,7 @@ float points_exposure(size_t count, float pixels, float point_size);
 float points_size(size_t count, float pixels, float scale);
 // Of the scene's photons, pixels that they are spread over.
 float points_area(const Pane *pane);
-Rgba points_colour(const Side *side, ColourMode mode, const StoredPhoton *photon);
+Rgba points_colour(const ViewData *data, ColourMode mode, const StoredPhoton *photon);
 
 // ---- paths ----
 // The chosen path's legs; *count 0 when it has none.
@@ -94,26 +89,32 @@ const PathLeg *path_legs(const Recording *recording, long path, size_t *count);
 float leg_flown(const PathLeg *leg, double flight);
 
 // ---- lobe ----
-// Density over directions, 1/sr, of the step that this view shows, in coordinates about the normal +z with the mirror
-// direction in the xz plane. `table` is of view->exponent.
-float lobe_density(const View *view, StepChoice play, const LobeTable *table, Vec3 direction);
-Vec3 lobe_mirror(const View *view);
+// What step 2.3, 2.4 or 1.3 should do: directions about the normal +z, with the mirror direction in the xz plane.
 typedef struct {
-    const View *view;
+    float exponent, angle; // degrees, of the mirror direction to the normal
+    bool diffuse;
     StepChoice play;
-    LobeTable *table; // of view->exponent; the caller frees it
+    LobeTable *table; // of the exponent
     float peak;       // the highest density: it reaches out to 1
 } Lobe;
-bool lobe_prepare(const View *view, StepChoice play, Lobe *lobe); // false: no memory
-// A point for each of the side's samples that is up to it, on the view's own stage: up is +y, the mirror direction lies
-// on the side of +x. Counts what is wrong with the others: side->lobe_absorbed and so on.
-void lobe_cloud(const Lobe *lobe, Side *side, Vertices *list);
+// Free with lobe_free. False: no memory.
+bool lobe_prepare(float exponent, float angle, bool diffuse, StepChoice play, Lobe *lobe);
+void lobe_free(Lobe *lobe);
+Vec3 lobe_mirror(const Lobe *lobe);
+float lobe_density(const Lobe *lobe, Vec3 direction); // over directions, 1/sr
+// As it stands before the viewer: up is the normal, +y, and the mirror direction lies on the side of +x.
+Vec3 lobe_upright(Vec3 local);
+// Samples that were absorbed, point into the surface, or are not of length 1.
+typedef struct {
+    size_t absorbed, below, not_unit;
+} LobeCounts;
+// A point for each sample that is up to it, upright.
+void lobe_cloud(const Lobe *lobe, const LobeSamples *samples, LobeCounts *counts, Vertices *list);
 
 // ---- screen ----
 int screen_busiest(const Scene *scene, const Recording *recording); // −1: there is none
 // Where a photon lies on a flat, 0…1 each; false when it is not on it.
 bool screen_place(const Flat *flat, uint8_t material, const StoredPhoton *photon, float tolerance, float *u, float *v);
-int screen_surface(Side *side, const View *view); // the one that is shown
 
 // ---- tree ----
 // Box of the photons that cell i of 2^level holds.
@@ -121,7 +122,7 @@ Box tree_cell(const PhotonMap *map, int level, size_t i, size_t *count);
 int tree_depth(const PhotonMap *map);
 
 // ---- colours ----
-extern const Rgba COLOUR_OF_LIGHTS, COLOUR_OF_TEXT, COLOUR_OF_HINTS;
+extern const Rgba COLOUR_OF_LIGHTS, COLOUR_OF_TEXT;
 Rgba palette_photon(int colour);
 Rgba palette_bounce(int bounce);
 Rgba palette_material(int material);
@@ -131,13 +132,20 @@ Rgba rgba_of_power(Colour power, float full); // `full` W shows at full brightne
 const char *photon_colour_name(int colour);
 #define BOUNCE_COLOURS 8
 
+#define MOST_ENTRIES 12
+struct LegendEntry {
+    Rgba colour;
+    char text[40];
+};
+// ViewType.legend of views whose colours are View.colour: photons where they lie, and legs, which fly to any material.
+int legend_of_photons(const View *view, const ViewData *data, LegendEntry *entries);
+int legend_of_legs(const View *view, const ViewData *data, LegendEntry *entries);
+void legend_draw(Canvas *canvas, const View *view, const ViewData *data, float top);
+
 // ---- words ----
 float overlay_scale(const Canvas *canvas);
 // Breaks lines at spaces so that they fit; returns how many there are. At most `most`: the last then ends in "..".
 int overlay_wrap(const char *text, float scale, float width, int most, char *wrapped, size_t size);
-// Text on a dark plate; (x, y) its top left corner. Returns the plate's height.
-float overlay_plate(Canvas *canvas, float x, float y, float scale, Rgba ink, Rgba plate, const char *text);
-void overlay_draw(Canvas *canvas, const View *view, const Scene *scene, Side *yours, const Captions *captions);
-void legend_draw(Canvas *canvas, const View *view, const Scene *scene, const Side *side, float top);
+void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const Captions *captions);
 
 #endif

@@ -1,83 +1,35 @@
-// Samples of a scatter step over the lobe of its equation. A sample's point lies in its direction, as far out as the
-// samples are dense there, by the estimate that photon maps make: k nearest over their area. So the cloud lies on the
-// equation's surface where the step is right, whatever is wrong in it.
+// Samples of a scatter step as a cloud over the lobe of its equation.
 #include "preview/view/view_internal.h"
+#include "base/text.h"
 
-#include <stdlib.h>
+enum { CLOUD, LINES }; // caches; LobeCounts are what is found
 
-#define NEAREST 300 // samples in an estimate: 6 % of noise
-#define RINGS   28
-#define SPOKES  48
-
-Vec3 lobe_mirror(const View *view)
-{
-    float angle = view->angle * (PI / 180.0f);
-    return vec3(sinf(angle), 0, cosf(angle));
-}
-
-float lobe_density(const View *view, StepChoice play, const LobeTable *table, Vec3 direction)
-{
-    if (direction.z <= 0.0f)
-        return 0.0f;
-    if (view->diffuse)
-        return direction.z / PI;
-    Vec3 mirror = lobe_mirror(view);
-    float cosine = fminf(vec3_dot(mirror, direction), 1.0f);
-    float lobe = cosine > 0.0f ? powf(cosine, view->exponent) : 0.0f;
-    if (play.glossy == GLOSSY_PHONG)
-        return (view->exponent + 1.0f) / (2.0f * PI) * lobe;
-    if (cosine <= 0.0f)
-        return direction.z / PI;
-    float share = 0.5f * (1.0f + mirror.z); // of diffuse directions that lie on the mirror direction's side
-    return share * lobe / lobe_above_surface(table, mirror.z);
-}
+#define RINGS  28
+#define SPOKES 48
 
 // Ring i about the axis, close together where the lobe is.
-static float ring_angle(const View *view, int i)
+static float ring_angle(const Lobe *lobe, int i)
 {
-    if (view->diffuse)
+    if (lobe->diffuse)
         return 0.5f * PI * (float)i / RINGS;
     float part = (float)i / (RINGS / 2);
     if (i <= RINGS / 2)
-        return acosf(powf(1.0f - 0.999f * part, 1.0f / (view->exponent + 1.0f)));
-    float inner = ring_angle(view, RINGS / 2);
+        return acosf(powf(1.0f - 0.999f * part, 1.0f / (lobe->exponent + 1.0f)));
+    float inner = ring_angle(lobe, RINGS / 2);
     return inner + (PI - inner) * (part - 1.0f);
-}
-
-// The view's own stage: up is the normal, and the photon flies from the left to the right.
-static Vec3 on_stage(Vec3 local)
-{
-    return vec3(local.x, local.z, -local.y);
 }
 
 static Vec3 surface_point(const Lobe *lobe, const Frame *frame, int ring, int spoke)
 {
-    float alpha = ring_angle(lobe->view, ring), phi = 2.0f * PI * (float)spoke / SPOKES;
+    float alpha = ring_angle(lobe, ring), phi = 2.0f * PI * (float)spoke / SPOKES;
     Vec3 local = vec3(sinf(alpha) * cosf(phi), sinf(alpha) * sinf(phi), cosf(alpha));
     Vec3 direction = frame_to_world(frame, local);
-    float density = lobe_density(lobe->view, lobe->play, lobe->table, direction);
-    return on_stage(vec3_scale(direction, density / lobe->peak));
-}
-
-bool lobe_prepare(const View *view, StepChoice play, Lobe *lobe)
-{
-    *lobe = (Lobe){view, play, malloc(sizeof(LobeTable)), 1.0f};
-    if (!lobe->table)
-        return false;
-    lobe_table_fill(lobe->table, view->exponent);
-    float peak = 0.0f;
-    for (int i = 0; i <= 1000; i++) { // along the plane of incidence, where the peak is
-        float angle = PI * ((float)i / 1000.0f - 0.5f);
-        Vec3 direction = vec3(sinf(angle), 0, cosf(angle));
-        peak = fmaxf(peak, lobe_density(view, play, lobe->table, direction));
-    }
-    lobe->peak = fmaxf(peak, lobe_density(view, play, lobe->table, lobe_mirror(view)));
-    return true;
+    return lobe_upright(vec3_scale(direction, lobe_density(lobe, direction) / lobe->peak));
 }
 
 static void add_surface(const Lobe *lobe, Vertices *list)
 {
-    Vec3 axis = lobe->view->diffuse ? vec3(0, 0, 1) : lobe_mirror(lobe->view);
+    Vec3 axis = lobe->diffuse ? vec3(0, 0, 1) : lobe_mirror(lobe);
     Frame frame = frame_about(axis);
     Rgba colour = {90, 200, 255, 150};
     for (int ring = 0; ring < RINGS; ring++)
@@ -100,9 +52,10 @@ static void add_arrow(Vertices *list, Vec3 from, Vec3 to, Rgba colour)
     }
 }
 
-static void add_stage(const View *view, Vertices *list)
+// The surface as a disk, its normal, and the two directions.
+static void add_axes(const Lobe *lobe, Vertices *list)
 {
-    Vec3 mirror = lobe_mirror(view), origin = vec3(0, 0, 0);
+    Vec3 mirror = lobe_mirror(lobe), origin = vec3(0, 0, 0);
     Rgba disk = {120, 130, 150, 150};
     for (int i = 1; i <= 4; i++)
         vertices_circle(list, origin, vec3(1, 0, 0), vec3(0, 0, 1), 0.3f * (float)i,
@@ -110,66 +63,13 @@ static void add_stage(const View *view, Vertices *list)
     vertices_line(list, vec3(-1.2f, 0, 0), vec3(1.2f, 0, 0), rgba_fade(disk, 0.4f));
     vertices_line(list, vec3(0, 0, -1.2f), vec3(0, 0, 1.2f), rgba_fade(disk, 0.4f));
     add_arrow(list, origin, vec3(0, 1.15f, 0), (Rgba){150, 235, 150, 220});
-    add_arrow(list, on_stage(vec3(-1.3f * mirror.x, 0, 1.3f * mirror.z)),
-              on_stage(vec3_scale(vec3(-mirror.x, 0, mirror.z), 0.03f)), (Rgba){235, 235, 245, 230});
-    add_arrow(list, origin, on_stage(vec3_scale(mirror, 1.2f)), (Rgba){255, 130, 90, 230});
+    add_arrow(list, lobe_upright(vec3(-1.3f * mirror.x, 0, 1.3f * mirror.z)),
+              lobe_upright(vec3_scale(vec3(-mirror.x, 0, mirror.z), 0.03f)), (Rgba){235, 235, 245, 230});
+    add_arrow(list, origin, lobe_upright(vec3_scale(mirror, 1.2f)), (Rgba){255, 130, 90, 230});
 }
 
-// Part of the disk of radius r about a direction that lies above the surface, where directions can be.
-static float part_above(float height, float r)
-{
-    float t = height / r;
-    if (t >= 1.0f || t <= 0.0f)
-        return 1.0f;
-    return 1.0f - (acosf(t) - t * sqrtf(1.0f - t * t)) / PI;
-}
-
-// Directions that are no numbers or nothing are counted and left out.
-static size_t usable(Side *side, StoredPhoton *photons)
-{
-    size_t count = 0;
-    side->lobe_absorbed = side->lobe_below = side->lobe_long = 0;
-    for (size_t i = 0; i < side->lobe.count; i++) {
-        Vec3 d = side->lobe.items[i].direction;
-        float length = vec3_length(d), weight = side->lobe.items[i].weight;
-        if (weight == 0.0f) {
-            side->lobe_absorbed++;
-            continue;
-        }
-        bool sound = isfinite(length) && length > 1e-6f;
-        side->lobe_long += !sound || fabsf(length - 1.0f) > 1e-3f;
-        side->lobe_below += sound && d.z < 0.0f;
-        if (sound)
-            photons[count++] = (StoredPhoton){.position = vec3_scale(d, 1.0f / length), .power = {length, weight, 0}};
-    }
-    return count;
-}
-
-void lobe_cloud(const Lobe *lobe, Side *side, Vertices *list)
-{
-    StoredPhoton *photons = malloc((side->lobe.count + 1) * sizeof *photons);
-    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(NEAREST)];
-    Error error;
-    size_t count = photons ? usable(side, photons) : 0;
-    PhotonMap *map = photons ? photon_map_build(photons, count, &error) : NULL;
-    for (size_t i = 0; map && i < count; i++) {
-        const StoredPhoton *sample = &photon_map_photons(map)[i];
-        float radius2 = INFINITY;
-        if (photon_map_nearest(map, sample->position, NEAREST, &radius2, near) < NEAREST)
-            continue;
-        radius2 = fmaxf(radius2, 1e-10f);
-        float share = (float)(NEAREST - 1) / (float)side->lobe.count; // without the sample itself
-        float density = share / (PI * radius2 * part_above(sample->position.z, sqrtf(radius2)));
-        float far_out = fminf(density / lobe->peak, 2.5f) * sample->power.r;
-        Rgba colour = sample->position.z < 0.0f ? (Rgba){255, 50, 50, 255} : (Rgba){255, 205, 110, 120};
-        vertices_point(list, on_stage(vec3_scale(sample->position, far_out)), colour);
-    }
-    if (map)
-        photon_map_free(map);
-}
-
-// Turned as the scene is, but from where the stage is seen best.
-static Orbit stage_orbit(const Pane *pane)
+// Turned as the scene is, but from where the lobe is seen best.
+static Orbit lobe_orbit(const Pane *pane)
 {
     Orbit start = orbit_of_camera(&pane->scene->camera, bvh_bounds(pane->scene->bvh)), orbit = pane->view->orbit;
     orbit.yaw -= start.yaw;
@@ -184,28 +84,99 @@ static Orbit stage_orbit(const Pane *pane)
     return orbit;
 }
 
-void view_lobe_draw(const Pane *pane)
+static void build(ViewData *data, const Lobe *lobe, bool new_cloud)
 {
-    Side *side = pane->side;
-    const View *view = pane->view;
-    const double key[KEY_SIZE] = {view->exponent, view->angle, view->diffuse, side->recording.play.glossy};
-    bool lines_known = cache_is(&side->lobe_lines, key), points_known = cache_is(&side->lobe_points, key);
-    Lobe lobe;
-    if ((!lines_known || !points_known) && lobe_prepare(view, side->recording.play, &lobe)) {
-        Vertices lines = {.items = NULL}, points = {.items = NULL};
-        add_stage(view, &lines);
-        add_surface(&lobe, &lines);
-        cache_fill(pane->canvas, &side->lobe_lines, &lines);
-        if (!points_known) {
-            lobe_cloud(&lobe, side, &points);
-            cache_fill(pane->canvas, &side->lobe_points, &points);
-        }
-        free(lobe.table);
+    Vertices lines = {.items = NULL}, points = {.items = NULL};
+    add_axes(lobe, &lines);
+    add_surface(lobe, &lines);
+    cache_fill(data->canvas, &data->caches[VIEW_LOBE][LINES], &lines);
+    if (new_cloud) {
+        lobe_cloud(lobe, &data->lobe, data->found[VIEW_LOBE], &points);
+        cache_fill(data->canvas, &data->caches[VIEW_LOBE][CLOUD], &points);
     }
-    Orbit orbit = stage_orbit(pane);
-    pane_look(pane, &orbit, (Box){{-2, -2, -2}, {2, 2, 2}});
-    batch_draw(pane->canvas, side->lobe_points.batch, 0, batch_count(side->lobe_points.batch),
-               &(DrawStyle){.no_depth = true, .point_size = fmaxf(pane->scale - 0.5f, 1.0f)});
-    batch_draw(pane->canvas, side->lobe_lines.batch, 0, batch_count(side->lobe_lines.batch),
-               &(DrawStyle){.kind = DRAW_LINES, .no_depth = true});
 }
+
+static void draw(const Pane *pane)
+{
+    ViewData *data = pane->data;
+    const double *settings = pane->view->settings[VIEW_LOBE];
+    float exponent = (float)settings[LOBE_EXPONENT], angle = (float)settings[LOBE_ANGLE];
+    bool diffuse = settings[LOBE_DIFFUSE] != 0.0;
+    StepChoice play = data->recording.play;
+    Cache *cloud = &data->caches[VIEW_LOBE][CLOUD], *lines = &data->caches[VIEW_LOBE][LINES];
+    bool lines_known = cache_is(lines, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy});
+    bool cloud_known = cache_is(cloud, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy, data->lobes});
+    Lobe lobe;
+    if ((!lines_known || !cloud_known) && lobe_prepare(exponent, angle, diffuse, play, &lobe)) {
+        build(data, &lobe, !cloud_known);
+        lobe_free(&lobe);
+    }
+    Orbit orbit = lobe_orbit(pane);
+    pane_look(pane, &orbit, (Box){{-2, -2, -2}, {2, 2, 2}});
+    pane_draw_cache(pane, cloud, 0, cloud->buffer.count, (DrawStyle){.point_size = fmaxf(pane->scale - 0.5f, 1.0f)});
+    pane_draw_cache(pane, lines, 0, lines->buffer.count, (DrawStyle){.kind = DRAW_LINES});
+}
+
+static void describe(const View *view, const ViewData *data, char *text, size_t size)
+{
+    const double *settings = view->settings[VIEW_LOBE];
+    const LobeCounts *counts = data->found[VIEW_LOBE];
+    size_t count = data->lobe.count;
+    bool diffuse = settings[LOBE_DIFFUSE] != 0.0;
+    const char *step = diffuse ? "1.3" : data->recording.play.glossy == GLOSSY_PHONG ? "2.4" : "2.3";
+    StepState state = data->recording.states[step_find(step) - step_table];
+    const char *whose = state == STEP_STUDENT       ? ", yours"
+                        : state == STEP_NOT_STARTED ? ", the reference's"
+                                                    : ""; // nobody else is there
+    text[0] = '\0';
+    if (diffuse)
+        text_append(text, size, "diffuse, step %s%s: density cos(theta)/pi", step, whose);
+    else
+        text_append(text, size, "glossy, step %s%s: exponent %.4g, %.4g degrees", step, whose, settings[LOBE_EXPONENT],
+                    settings[LOBE_ANGLE]);
+    text_append(text, size, "\n%zu samples, %.1f %% absorbed", count,
+                count ? 100.0 * (double)counts->absorbed / (double)count : 0.0);
+    if (counts->below)
+        text_append(text, size, "\n%zu point into the surface (red)", counts->below);
+    if (counts->not_unit)
+        text_append(text, size, "\n%zu are not of unit length (drawn at theirs)", counts->not_unit);
+}
+
+static int legend(const View *view, const ViewData *data, LegendEntry *entries)
+{
+    (void)view, (void)data;
+    entries[0] = (LegendEntry){{90, 200, 255, 255}, "the equation"};
+    entries[1] = (LegendEntry){{255, 205, 110, 255}, "samples"};
+    entries[2] = (LegendEntry){{235, 235, 245, 255}, "photon"};
+    entries[3] = (LegendEntry){{255, 130, 90, 255}, "mirror direction"};
+    entries[4] = (LegendEntry){{150, 235, 150, 255}, "normal"};
+    return 5;
+}
+
+static void choose(View *view, const ViewData *data, bool sideways, int step)
+{
+    (void)data;
+    double *settings = view->settings[VIEW_LOBE], exponent = settings[LOBE_EXPONENT];
+    if (sideways)
+        settings[LOBE_ANGLE] = fmin(fmax(settings[LOBE_ANGLE] + 5.0 * step, 0.0), 85.0);
+    else
+        settings[LOBE_EXPONENT] = fmin(fmax(step > 0 ? exponent * 1.5 + 0.5 : (exponent - 0.5) / 1.5, 0.0), 5000.0);
+}
+
+const ViewType view_lobe = {
+    .name = "lobe",
+    .help = "10000 samples of the scatter step over the lobe of the equation; --exponent N,\n"
+            "--angle DEGREES of the mirror direction to the normal, --diffuse\n",
+    .arrows = "angle, exponent",
+    .place = ON_A_STAND,
+    .of_step = true,
+    .settings =
+        {[LOBE_EXPONENT] = {.flag = "exponent", .kind = SETTING_NUMBER, .start = 20, .high = 1e6},
+         [LOBE_ANGLE] = {.flag = "angle", .kind = SETTING_NUMBER, .start = 45, .high = 89.9},
+         [LOBE_DIFFUSE] = {.flag = "diffuse", .kind = SETTING_SWITCH, .key = 'd', .words = "glossy or diffuse step"}},
+    .draw = draw,
+    .describe = describe,
+    .legend = legend,
+    .choose = choose,
+    .found_size = sizeof(LobeCounts),
+};

@@ -1,11 +1,17 @@
 // Paths as lines; one of them chosen.
 #include "preview/view/view_internal.h"
+#include "scene/limits.h"
+
+#include <stdio.h>
+
+enum { PATH, BOUNCE }; // settings: the chosen path, −1: all alike; of it, legs up to this one are bright, −1: all
+enum { LINES };        // caches
 
 #define DIM 0.18f // of the other paths, beside the chosen one
 
 const PathLeg *path_legs(const Recording *recording, long path, size_t *count)
 {
-    size_t first = 0;
+    size_t first = path < 0 ? recording->leg_count : 0;
     while (first < recording->leg_count && (long)recording->legs[first].path != path)
         first++;
     size_t end = first;
@@ -27,17 +33,17 @@ float leg_flown(const PathLeg *leg, double flight)
 }
 
 // Many short legs crowd inside a stone: they would drown the rest.
-static float length_share(const Side *side, const PathLeg *leg)
+static float length_share(const ViewData *data, const PathLeg *leg)
 {
-    Box box = bvh_bounds(side->scene->bvh);
+    Box box = bvh_bounds(data->scene->bvh);
     float size = vec3_length(vec3_sub(box.high, box.low));
     float share = vec3_length(vec3_sub(leg->to, leg->from)) / (0.2f * size);
     return fminf(fmaxf(share, 0.12f), 1.0f);
 }
 
-static Rgba leg_colour(const Side *side, ColourMode mode, const PathLeg *leg)
+static Rgba leg_colour(const ViewData *data, ColourMode mode, const PathLeg *leg)
 {
-    Rgba colour = rgba_of_power(leg->power, side->power);
+    Rgba colour = rgba_of_power(leg->power, data->power);
     float strength = fmaxf((float)(colour.r > colour.g ? colour.r : colour.g), (float)colour.b) / 255.0f;
     Hit hit;
     Vec3 way = vec3_sub(leg->to, leg->from);
@@ -55,8 +61,8 @@ static Rgba leg_colour(const Side *side, ColourMode mode, const PathLeg *leg)
         colour = (Rgba){90, 96, 110, 255};
         if (leg->end != LEG_ESCAPED && length > 0.0f) {
             Ray ray = {vec3_along(leg->from, way, 0.5f), vec3_scale(way, 1.0f / length), NO_PRIMITIVE};
-            if (scene_intersect(side->scene, &ray, &hit))
-                colour = palette_material((int)(hit.material - side->scene->materials));
+            if (scene_intersect(data->scene, &ray, &hit))
+                colour = palette_material((int)(hit.material - data->scene->materials));
         }
         break;
     }
@@ -83,20 +89,28 @@ static void add_leg(Vertices *list, const PathLeg *leg, Rgba colour, double flig
 // So many lines over the view that they stay apart.
 static float lines_exposure(const Pane *pane, size_t count)
 {
-    float room = sqrtf(points_area(pane));
-    return fminf(fmaxf(1.8f * room / ((float)count + 1.0f), 0.05f), 0.9f);
+    float across = sqrtf(points_area(pane));
+    return fminf(fmaxf(1.8f * across / ((float)count + 1.0f), 0.05f), 0.9f);
+}
+
+// The last of the bright legs.
+static size_t present_leg(const View *view, size_t count)
+{
+    double bounce = view->settings[VIEW_PATHS][BOUNCE];
+    return bounce < 0.0 || bounce >= (double)count ? count - 1 : (size_t)bounce;
 }
 
 static void draw_chosen(const Pane *pane, const PathLeg *legs, size_t count)
 {
     const View *view = pane->view;
-    size_t shown = view->bounce < 0 || (size_t)view->bounce >= count ? count : (size_t)view->bounce + 1;
+    bool chosen = view->settings[VIEW_PATHS][BOUNCE] >= 0.0;
+    size_t shown = present_leg(view, count) + 1;
     Vertices lines = {.items = NULL}, dots = {.items = NULL};
     for (size_t i = 0; i < count; i++) {
-        Rgba colour = leg_colour(pane->side, view->colour, &legs[i]);
+        Rgba colour = leg_colour(pane->data, view->colour, &legs[i]);
         colour.a = 255;
-        bool present = view->bounce >= 0 && i + 1 == shown;
-        if (!present && view->bounce >= 0)
+        bool present = chosen && i + 1 == shown;
+        if (!present && chosen)
             colour = rgba_fade(colour, i < shown ? 0.75f : 0.22f);
         add_leg(&lines, &legs[i], colour, view->flight);
         if (i < shown && leg_flown(&legs[i], view->flight) > 0.0f) {
@@ -121,27 +135,77 @@ static void draw_chosen(const Pane *pane, const PathLeg *legs, size_t count)
     vertices_free(&dots);
 }
 
-void view_paths_draw(const Pane *pane)
+static void draw(const Pane *pane)
 {
-    Side *side = pane->side;
+    ViewData *data = pane->data;
     const View *view = pane->view;
-    const Recording *recording = &side->recording;
+    const Recording *recording = &data->recording;
     size_t count = 0;
-    const PathLeg *chosen = view->path >= 0 ? path_legs(recording, view->path, &count) : NULL;
-    const double key[KEY_SIZE] = {view->colour, view->flight};
-    if (!cache_is(&side->paths, key)) {
+    const PathLeg *chosen = path_legs(recording, (long)view->settings[VIEW_PATHS][PATH], &count);
+    Cache *lines = &data->caches[VIEW_PATHS][LINES];
+    if (!cache_is(lines, (const double[KEY_SIZE]){data->recordings, view->colour, view->flight})) {
         Vertices list = {.items = NULL};
-        for (size_t i = 0; i < recording->leg_count; i++)
-            add_leg(
-                &list, &recording->legs[i],
-                rgba_fade(leg_colour(side, view->colour, &recording->legs[i]), length_share(side, &recording->legs[i])),
-                view->flight);
-        cache_fill(pane->canvas, &side->paths, &list);
+        for (size_t i = 0; i < recording->leg_count; i++) {
+            const PathLeg *leg = &recording->legs[i];
+            add_leg(&list, leg, rgba_fade(leg_colour(data, view->colour, leg), length_share(data, leg)), view->flight);
+        }
+        cache_fill(pane->canvas, lines, &list);
     }
     float exposure = lines_exposure(pane, recording->leg_count) * (chosen ? DIM : 1.0f);
-    pane_look(pane, &view->orbit, bvh_bounds(pane->scene->bvh));
-    batch_draw(pane->canvas, side->paths.batch, 0, batch_count(side->paths.batch),
-               &(DrawStyle){.kind = DRAW_LINES, .additive = true, .no_depth = true, .exposure = exposure});
+    pane_look_at_scene(pane);
+    pane_draw_cache(pane, lines, 0, lines->buffer.count,
+                    (DrawStyle){.kind = DRAW_LINES, .additive = true, .exposure = exposure});
     if (chosen)
         draw_chosen(pane, chosen, count);
 }
+
+static void describe(const View *view, const ViewData *data, char *text, size_t size)
+{
+    long path = (long)view->settings[VIEW_PATHS][PATH];
+    size_t count;
+    const PathLeg *legs = path_legs(&data->recording, path, &count);
+    if (path < 0) {
+        snprintf(text, size, "paths of the first %ld photons, coloured by %s", data->recording.recorded,
+                 colour_mode_name(view->colour));
+        return;
+    }
+    if (!legs) {
+        snprintf(text, size, "photon %ld: no path", path);
+        return;
+    }
+    static const char *const ENDS[] = {"lands", "meets a lamp", "leaves the scene"};
+    size_t present = present_leg(view, count);
+    const PathLeg *leg = &legs[present];
+    snprintf(
+        text, size,
+        "photon %ld, leg %zu of %zu: after %u bounce%s, %s, %.3g W\nred %.3g, green %.3g, blue %.3g W\n%s after %.3g m",
+        path, present + 1, count, leg->bounce, leg->bounce == 1 ? "" : "s", photon_colour_name(leg->colour),
+        (double)colour_sum(leg->power), (double)leg->power.r, (double)leg->power.g, (double)leg->power.b,
+        ENDS[leg->end <= LEG_ESCAPED ? leg->end : 0], (double)(leg->flown + vec3_length(vec3_sub(leg->to, leg->from))));
+}
+
+static void choose(View *view, const ViewData *data, bool sideways, int step)
+{
+    double *settings = view->settings[VIEW_PATHS];
+    if (sideways) {
+        settings[PATH] = wrap(settings[PATH] + step, -1.0, (double)(data->recording.recorded - 1));
+        settings[BOUNCE] = -1.0;
+    } else if (settings[PATH] >= 0.0) {
+        settings[BOUNCE] = fmax(settings[BOUNCE] + step, -1.0);
+    }
+}
+
+const ViewType view_paths = {
+    .name = "paths",
+    .help = "the first paths as lines; --path I chooses one, --bounce B its legs up to that one\n",
+    .arrows = "photon, bounce",
+    .place = IN_THE_SCENE,
+    .wires = 0.75f,
+    .in_flight = true,
+    .settings = {{.flag = "path", .kind = SETTING_WHOLE, .start = -1, .low = 0, .high = MOST_PHOTONS},
+                 {.flag = "bounce", .kind = SETTING_WHOLE, .start = -1, .low = 0, .high = MOST_DEPTH}},
+    .draw = draw,
+    .describe = describe,
+    .legend = legend_of_legs,
+    .choose = choose,
+};

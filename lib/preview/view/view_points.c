@@ -1,7 +1,14 @@
 // Stored photons as points of light.
 #include "preview/view/view_internal.h"
 
+#include <stdio.h>
 #include <stdlib.h>
+
+// Caches and ViewType.found of this view.
+enum { POINTS };
+typedef struct {
+    float *flown; // of the points, in their order, where they are sorted by it
+} Found;
 
 #define MIDDLE_BRIGHTNESS 0.42f // that so many photons over so many pixels add up to
 #define LEAST_EXPOSURE    0.035f
@@ -30,7 +37,7 @@ float points_area(const Pane *pane)
     return fminf(high * high, (float)pane->width * (float)pane->height); // what lies outside is not seen
 }
 
-Rgba points_colour(const Side *side, ColourMode mode, const StoredPhoton *photon)
+Rgba points_colour(const ViewData *data, ColourMode mode, const StoredPhoton *photon)
 {
     switch (mode) {
     case COLOUR_PHOTON:
@@ -42,7 +49,7 @@ Rgba points_colour(const Side *side, ColourMode mode, const StoredPhoton *photon
     case COLOUR_POWER:
         break;
     }
-    return rgba_of_power(photon->power, side->power);
+    return rgba_of_power(photon->power, data->power);
 }
 
 static uint32_t float_order(float value)
@@ -77,58 +84,90 @@ static uint32_t *order_by_flight(const RecordedPhoton *photons, size_t count)
 }
 
 // The photons `which` (NULL: the first ones) as vertices.
-static void build(Side *side, ColourMode mode, const uint32_t *which, size_t count)
+static void build(ViewData *data, ColourMode mode, const uint32_t *which, size_t count)
 {
+    Found *found = data->found[VIEW_POINTS];
     Vertices list = {.items = NULL};
-    free(side->flown);
-    side->flown = which ? malloc((count + 1) * sizeof *side->flown) : NULL;
+    free(found->flown);
+    found->flown = which ? malloc((count + 1) * sizeof *found->flown) : NULL;
     if (!vertices_reserve(&list, count))
         count = 0;
     for (size_t i = 0; i < count; i++) {
-        const RecordedPhoton *photon = &side->recording.photons[which ? which[i] : i];
+        const RecordedPhoton *photon = &data->recording.photons[which ? which[i] : i];
         Vec3 at = photon->at.position;
-        Rgba colour = points_colour(side, mode, &photon->at);
+        Rgba colour = points_colour(data, mode, &photon->at);
         list.items[i] = (Vertex){at.x, at.y, at.z, colour.r, colour.g, colour.b, colour.a};
-        if (side->flown)
-            side->flown[i] = photon->flown;
+        if (found->flown)
+            found->flown[i] = photon->flown;
     }
     list.count = count;
-    cache_fill(side->canvas, &side->points, &list);
+    cache_fill(data->canvas, &data->caches[VIEW_POINTS][POINTS], &list);
 }
 
 // How many of the sorted photons have flown no farther.
-static size_t arrived(const Side *side, size_t count, double flight)
+static size_t arrived(const float *flown, size_t count, double flight)
 {
-    size_t low = 0, high = side->flown ? count : 0;
+    size_t low = 0, high = flown ? count : 0;
     while (low < high) {
         size_t middle = (low + high) / 2;
-        if ((double)side->flown[middle] <= flight)
+        if ((double)flown[middle] <= flight)
             low = middle + 1;
         else
             high = middle;
     }
-    return side->flown ? low : count;
+    return flown ? low : count;
 }
 
-void view_points_draw(const Pane *pane)
+static void draw(const Pane *pane)
 {
-    Side *side = pane->side;
+    ViewData *data = pane->data;
     const View *view = pane->view;
-    size_t count = side->recording.count, most = view->most_points;
+    size_t count = data->recording.count, most = view->most_points;
     size_t drawn = most > 0 && most < count ? most : count;
     bool sorted = view->flight >= 0.0;
+    Cache *points = &data->caches[VIEW_POINTS][POINTS];
     // Sorted, only the photons drawn are there; else all, and a first part of them is drawn.
-    const double key[KEY_SIZE] = {view->colour, sorted, sorted ? (double)drawn : 0.0};
-    if (!cache_is(&side->points, key)) {
-        uint32_t *order = sorted ? order_by_flight(side->recording.photons, drawn) : NULL;
-        build(side, view->colour, order, order ? drawn : count);
+    const double key[KEY_SIZE] = {data->recordings, view->colour, sorted, sorted ? (double)drawn : 0.0};
+    if (!cache_is(points, key)) {
+        uint32_t *order = sorted ? order_by_flight(data->recording.photons, drawn) : NULL;
+        build(data, view->colour, order, order ? drawn : count);
         free(order);
     }
     float area = points_area(pane), size = points_size(drawn, area, pane->scale);
     float exposure = points_exposure(drawn, area, size);
     if (sorted)
-        drawn = arrived(side, drawn, view->flight);
-    pane_look(pane, &view->orbit, bvh_bounds(pane->scene->bvh));
-    batch_draw(pane->canvas, side->points.batch, 0, drawn,
-               &(DrawStyle){.additive = true, .no_depth = true, .exposure = exposure, .point_size = size});
+        drawn = arrived(((Found *)data->found[VIEW_POINTS])->flown, drawn, view->flight);
+    pane_look_at_scene(pane);
+    pane_draw_cache(pane, points, 0, drawn, (DrawStyle){.additive = true, .exposure = exposure, .point_size = size});
 }
+
+static void describe(const View *view, const ViewData *data, char *text, size_t size)
+{
+    if (view->flight < 0.0) {
+        snprintf(text, size, "photons where they landed, coloured by %s", colour_mode_name(view->colour));
+        return;
+    }
+    size_t count = 0;
+    for (size_t i = 0; i < data->recording.count; i++)
+        count += (double)data->recording.photons[i].flown <= view->flight;
+    snprintf(text, size, "after %.2f m of flight: %zu of %zu photons have landed", view->flight, count,
+             data->recording.count);
+}
+
+static void free_found(void *found)
+{
+    free(((Found *)found)->flown);
+}
+
+const ViewType view_points = {
+    .name = "points",
+    .help = "stored photons (default)\n",
+    .place = IN_THE_SCENE,
+    .wires = 0.75f,
+    .in_flight = true,
+    .draw = draw,
+    .describe = describe,
+    .legend = legend_of_photons,
+    .found_size = sizeof(Found),
+    .free_found = free_found,
+};

@@ -1,7 +1,15 @@
 // Arrivals on one surface, flattened to a plane.
 #include "preview/view/view_internal.h"
 
+#include <stdio.h>
 #include <stdlib.h>
+
+enum { SURFACE }; // settings: its number, −1: the one with the most arrivals
+enum { SHEET };   // caches: its edges, then the photons on it
+typedef struct {
+    int looked_at, busiest;       // the recording that was searched, and its surface
+    size_t arrivals, first_point; // vertices before this one are edges
+} Found;
 
 #define LOOKED_AT 30000 // photons, when the busiest surface is looked for
 
@@ -65,13 +73,12 @@ int screen_busiest(const Scene *scene, const Recording *recording)
     return best;
 }
 
-int screen_surface(Side *side, const View *view)
+// The one that is shown, −1: none.
+static int surface_shown(const View *view, const ViewData *data)
 {
-    if (view->surface >= 0)
-        return view->surface < (int)side->scene->flat_count ? view->surface : -1;
-    if (side->screen_surface == -2)
-        side->screen_surface = screen_busiest(side->scene, &side->recording);
-    return side->screen_surface;
+    const Found *found = data->found[VIEW_SCREEN];
+    int surface = (int)view->settings[VIEW_SCREEN][SURFACE];
+    return surface >= 0 ? surface : found->busiest;
 }
 
 // Lying on the plane z = 0, the longer edge to the right, the middle at the origin.
@@ -94,8 +101,9 @@ static Vec3 sheet_point(const Sheet *sheet, float u, float v)
     return vec3_add(vec3_scale(sheet->u, u - 0.5f), vec3_scale(sheet->v, v - 0.5f));
 }
 
-static void build(Side *side, ColourMode mode, const Flat *flat)
+static void build(ViewData *data, ColourMode mode, const Flat *flat)
 {
+    Found *found = data->found[VIEW_SCREEN];
     Vertices list = {.items = NULL};
     Sheet sheet = sheet_of(flat);
     Rgba edge = {150, 160, 180, 255};
@@ -106,45 +114,84 @@ static void build(Side *side, ColourMode mode, const Flat *flat)
         corners[2] = corners[3];
     for (int i = 0; i < count; i++)
         vertices_line(&list, corners[i], corners[(i + 1) % count], edge);
-    side->arrivals_inside = list.count; // where the points begin
-    float tolerance = 1e-4f * scene_size(side->scene), u, v;
-    for (size_t i = 0; i < side->recording.count; i++) {
-        const StoredPhoton *photon = &side->recording.photons[i].at;
+    found->first_point = list.count;
+    float tolerance = 1e-4f * scene_size(data->scene), u, v;
+    for (size_t i = 0; i < data->recording.count; i++) {
+        const StoredPhoton *photon = &data->recording.photons[i].at;
         if (screen_place(flat, (uint8_t)flat->material, photon, tolerance, &u, &v))
-            vertices_point(&list, sheet_point(&sheet, u, v), points_colour(side, mode, photon));
+            vertices_point(&list, sheet_point(&sheet, u, v), points_colour(data, mode, photon));
     }
-    side->arrivals = list.count - side->arrivals_inside;
-    cache_fill(side->canvas, &side->screen, &list);
+    found->arrivals = list.count - found->first_point;
+    cache_fill(data->canvas, &data->caches[VIEW_SCREEN][SHEET], &list);
 }
 
-void view_screen_draw(const Pane *pane)
+static void draw(const Pane *pane)
 {
-    Side *side = pane->side;
+    ViewData *data = pane->data;
     const View *view = pane->view;
-    int surface = screen_surface(side, view);
-    if (surface < 0)
+    Found *found = data->found[VIEW_SCREEN];
+    if (view->settings[VIEW_SCREEN][SURFACE] < 0.0 && (found->looked_at != data->recordings || data->recordings == 0)) {
+        found->busiest = screen_busiest(data->scene, &data->recording);
+        found->looked_at = data->recordings;
+    }
+    int surface = surface_shown(view, data);
+    if (surface < 0 || (size_t)surface >= data->scene->flat_count)
         return;
-    const Flat *flat = &pane->scene->flats[surface];
-    const double key[KEY_SIZE] = {view->colour, surface};
-    if (!cache_is(&side->screen, key))
-        build(side, view->colour, flat);
+    const Flat *flat = &data->scene->flats[surface];
+    Cache *cache = &data->caches[VIEW_SCREEN][SHEET];
+    if (!cache_is(cache, (const double[KEY_SIZE]){data->recordings, view->colour, surface}))
+        build(data, view->colour, flat);
     Sheet sheet = sheet_of(flat);
     Box box = box_empty();
     for (int i = 0; i < 4; i++)
         box_add_point(&box, sheet_point(&sheet, (float)(i & 1), (float)(i >> 1)));
     Orbit orbit = {.vertical_fov = 20.0f};
     orbit_frame(&orbit, box, (float)pane->width / (float)pane->height);
-    orbit.distance *= 1.25f; // room for the words
+    orbit.distance *= 1.25f; // the words stand around it
     pane_frame(&view->framing, &orbit);
     pane_look(pane, &orbit, box);
-    batch_draw(pane->canvas, side->screen.batch, 0, side->arrivals_inside,
-               &(DrawStyle){.kind = DRAW_LINES, .no_depth = true});
+    pane_draw_cache(pane, cache, 0, found->first_point, (DrawStyle){.kind = DRAW_LINES});
     float high = (box.high.y - box.low.y) / (2.0f * orbit.distance * tanf(10.0f * PI / 180.0f)) * (float)pane->height;
     float area = high * high * (box.high.x - box.low.x) / (box.high.y - box.low.y);
-    size_t drawn = view->most_points && view->most_points < side->arrivals ? view->most_points : side->arrivals;
+    size_t drawn = view->most_points && view->most_points < found->arrivals ? view->most_points : found->arrivals;
     float size = points_size(drawn, area, pane->scale);
-    batch_draw(
-        pane->canvas, side->screen.batch, side->arrivals_inside, drawn,
-        &(DrawStyle){
-            .additive = true, .no_depth = true, .point_size = size, .exposure = points_exposure(drawn, area, size)});
+    pane_draw_cache(pane, cache, found->first_point, drawn,
+                    (DrawStyle){.additive = true, .point_size = size, .exposure = points_exposure(drawn, area, size)});
 }
+
+static void describe(const View *view, const ViewData *data, char *text, size_t size)
+{
+    const Scene *scene = data->scene;
+    int surface = surface_shown(view, data);
+    if (surface < 0 || (size_t)surface >= scene->flat_count) {
+        snprintf(text, size, surface < 0 ? "no photon has landed on a flat surface" : "the scene has %zu flat surfaces",
+                 scene->flat_count);
+        return;
+    }
+    const Flat *flat = &scene->flats[surface];
+    float across = vec3_length(flat->edge_u), along = vec3_length(flat->edge_v);
+    snprintf(text, size, "surface %d, %s, %.3g x %.3g m: %zu photons%s", surface, scene->materials[flat->material].name,
+             (double)fmaxf(across, along), (double)fminf(across, along),
+             ((const Found *)data->found[VIEW_SCREEN])->arrivals,
+             view->settings[VIEW_SCREEN][SURFACE] < 0.0 ? " (the busiest)" : "");
+}
+
+static void choose(View *view, const ViewData *data, bool sideways, int step)
+{
+    double *surface = &view->settings[VIEW_SCREEN][SURFACE];
+    if (sideways)
+        *surface = wrap(*surface + step, -1.0, (double)data->scene->flat_count - 1.0);
+}
+
+const ViewType view_screen = {
+    .name = "screen",
+    .help = "arrivals on one flat surface; --surface I\n",
+    .arrows = "surface",
+    .place = ON_A_SHEET,
+    .settings = {{.flag = "surface", .kind = SETTING_WHOLE, .start = -1, .low = 0, .high = 1e9}},
+    .draw = draw,
+    .describe = describe,
+    .legend = legend_of_photons,
+    .choose = choose,
+    .found_size = sizeof(Found),
+};

@@ -2,7 +2,17 @@
 #include "photons/photon_map_internal.h"
 #include "preview/view/view_internal.h"
 
+#include <stdio.h>
 #include <stdlib.h>
+
+enum { LEVEL };         // settings: depth of the cells
+enum { BOXES, POINTS }; // caches
+typedef struct {
+    PhotonMap *map; // NULL: there is none
+    int recording;  // that it is of
+    int level;
+    size_t cells, largest; // how many; photons in the fullest
+} Found;
 
 #define GOLDEN 0.618034f // neighbours' hues lie far apart
 
@@ -22,7 +32,7 @@ Box tree_cell(const PhotonMap *map, int level, size_t i, size_t *count)
     return box;
 }
 
-// A map of the side's photons; without those that no map takes.
+// A map of the photons; without those that no map takes.
 static PhotonMap *build_map(const Recording *recording)
 {
     StoredPhoton *photons = malloc((recording->count + 1) * sizeof *photons);
@@ -36,45 +46,91 @@ static PhotonMap *build_map(const Recording *recording)
     return photons ? photon_map_build(photons, count, &error) : NULL;
 }
 
-static void build(Side *side, int level)
+static void build(ViewData *data, int level)
 {
+    Found *found = data->found[VIEW_TREE];
     Vertices boxes = {.items = NULL}, points = {.items = NULL};
-    const StoredPhoton *photon = photon_map_photons(side->map);
-    side->cell_level = level;
-    side->cells = (size_t)1 << level;
-    side->largest_cell = 0;
-    vertices_reserve(&points, photon_map_count(side->map));
-    for (size_t i = 0; i < side->cells; i++) {
+    const StoredPhoton *photon = photon_map_photons(found->map);
+    found->level = level;
+    found->cells = (size_t)1 << level;
+    found->largest = 0;
+    vertices_reserve(&points, photon_map_count(found->map));
+    for (size_t i = 0; i < found->cells; i++) {
         size_t count;
-        Box box = tree_cell(side->map, level, i, &count);
+        Box box = tree_cell(found->map, level, i, &count);
         Rgba hue = palette_hue(GOLDEN * (float)i);
         if (count)
             vertices_box(&boxes, box, hue);
         for (size_t p = 0; p < count; p++)
             vertices_point(&points, (photon++)->position, hue);
-        side->largest_cell = count > side->largest_cell ? count : side->largest_cell;
+        found->largest = count > found->largest ? count : found->largest;
     }
-    cache_fill(side->canvas, &side->tree, &boxes);
-    cache_fill(side->canvas, &side->tree_points, &points);
+    cache_fill(data->canvas, &data->caches[VIEW_TREE][BOXES], &boxes);
+    cache_fill(data->canvas, &data->caches[VIEW_TREE][POINTS], &points);
 }
 
-void view_tree_draw(const Pane *pane)
+static void free_found(void *found)
 {
-    Side *side = pane->side;
-    if (!side->map && !(side->map = build_map(&side->recording)))
+    if (((Found *)found)->map)
+        photon_map_free(((Found *)found)->map);
+}
+
+static void draw(const Pane *pane)
+{
+    ViewData *data = pane->data;
+    Found *found = data->found[VIEW_TREE];
+    if (!found->map || found->recording != data->recordings) {
+        free_found(found);
+        found->map = build_map(&data->recording);
+        found->recording = data->recordings;
+    }
+    if (!found->map)
         return;
-    int level = pane->view->level < tree_depth(side->map) ? pane->view->level : tree_depth(side->map);
-    const double key[KEY_SIZE] = {level};
-    if (!cache_is(&side->tree, key))
-        build(side, level < 0 ? 0 : level);
-    size_t count = batch_count(side->tree_points.batch), lines = batch_count(side->tree.batch);
+    int level = (int)fmin(pane->view->settings[VIEW_TREE][LEVEL], tree_depth(found->map));
+    Cache *boxes = &data->caches[VIEW_TREE][BOXES], *points = &data->caches[VIEW_TREE][POINTS];
+    if (!cache_is(boxes, (const double[KEY_SIZE]){data->recordings, level}))
+        build(data, level);
+    size_t count = points->buffer.count, lines = boxes->buffer.count;
     float area = points_area(pane), size = points_size(count, area, pane->scale);
     float exposure = points_exposure(count, area, size);
-    pane_look(pane, &pane->view->orbit, bvh_bounds(pane->scene->bvh));
+    pane_look_at_scene(pane);
     // The photons lie in the order of cells: no first part of them is a fair sample, so all are drawn.
-    batch_draw(pane->canvas, side->tree_points.batch, 0, count,
-               &(DrawStyle){.additive = true, .no_depth = true, .point_size = size, .exposure = 0.6f * exposure});
+    pane_draw_cache(pane, points, 0, count,
+                    (DrawStyle){.additive = true, .point_size = size, .exposure = 0.6f * exposure});
     float strength = fminf(fmaxf(40.0f * sqrtf(area) / ((float)lines + 1.0f), 0.1f), 0.6f);
-    batch_draw(pane->canvas, side->tree.batch, 0, lines,
-               &(DrawStyle){.kind = DRAW_LINES, .additive = true, .no_depth = true, .exposure = strength});
+    pane_draw_cache(pane, boxes, 0, lines, (DrawStyle){.kind = DRAW_LINES, .additive = true, .exposure = strength});
 }
+
+static void describe(const View *view, const ViewData *data, char *text, size_t size)
+{
+    (void)view;
+    const Found *found = data->found[VIEW_TREE];
+    if (!found->map)
+        snprintf(text, size, "no photons, no tree");
+    else
+        snprintf(text, size, "kd-tree after %d halvings of at most %d: %zu cell%s, %zu photons in the fullest",
+                 found->level, tree_depth(found->map), found->cells, found->cells == 1 ? "" : "s", found->largest);
+}
+
+static void choose(View *view, const ViewData *data, bool sideways, int step)
+{
+    (void)data;
+    double *level = &view->settings[VIEW_TREE][LEVEL];
+    if (!sideways)
+        *level = fmin(fmax(*level + step, 0.0), 24.0);
+}
+
+const ViewType view_tree = {
+    .name = "tree",
+    .help = "cells of the photon map; --level N halvings deep\n",
+    .arrows = "depth",
+    .place = IN_THE_SCENE,
+    .wires = 0.45f,
+    .settings = {{.flag = "level", .kind = SETTING_WHOLE, .start = 8, .low = 0, .high = 30}},
+    .draw = draw,
+    .describe = describe,
+    .legend = NULL, // a hue for each cell
+    .choose = choose,
+    .found_size = sizeof(Found),
+    .free_found = free_found,
+};

@@ -87,22 +87,22 @@ static Rgba material_line(const Material *material)
 
 static void add_flats(const Scene *scene, Vertices *list)
 {
-    size_t room = 16;
-    while (room < scene->flat_count * 6)
-        room *= 2;
+    size_t capacity = 16; // at most four edges a flat: never more than two thirds full
+    while (capacity < scene->flat_count * 6)
+        capacity *= 2;
     Box box = bvh_bounds(scene->bvh);
     float size = vec3_length(vec3_sub(box.high, box.low));
-    EdgeTable table = {calloc(room, sizeof(Edge)), room - 1, box.low, fmaxf((float)GRID * size, 1e-30f)};
+    EdgeTable table = {calloc(capacity, sizeof(Edge)), capacity - 1, box.low, fmaxf((float)GRID * size, 1e-30f)};
     if (!table.slots)
         return;
     for (size_t i = 0; i < scene->flat_count; i++)
         add_flat(&table, &scene->flats[i]);
     size_t drawn = 0, curved = 0, kept = 0, hairs = 0;
-    for (size_t i = 0; i < room; i++) {
+    for (size_t i = 0; i < capacity; i++) {
         drawn += table.slots[i].drawn;
         curved += table.slots[i].curved;
     }
-    for (size_t i = 0; i < room; i++) {
+    for (size_t i = 0; i < capacity; i++) {
         const Edge *edge = &table.slots[i];
         Rgba colour = material_line(&scene->materials[edge->material]);
         if (edge->drawn && kept++ % (drawn / MOST_LINES + 1) == 0)
@@ -170,14 +170,12 @@ void wireframe_build(const Scene *scene, Vertices *list)
 
 void wireframe_draw(const Pane *pane, float strength)
 {
-    Side *side = pane->side;
-    const double key[KEY_SIZE] = {0};
-    if (!cache_is(&side->wires, key)) {
+    Cache *wires = &pane->data->wires;
+    if (!cache_is(wires, (const double[KEY_SIZE]){0})) {
         Vertices list = {.items = NULL};
         wireframe_build(pane->scene, &list);
-        cache_fill(pane->canvas, &side->wires, &list);
+        cache_fill(pane->canvas, wires, &list);
     }
-    DrawStyle style = {.kind = DRAW_LINES, .no_depth = true, .exposure = strength};
-    pane_look(pane, &pane->view->orbit, bvh_bounds(pane->scene->bvh));
-    batch_draw(pane->canvas, side->wires.batch, 0, batch_count(side->wires.batch), &style);
+    pane_look_at_scene(pane);
+    pane_draw_cache(pane, wires, 0, wires->buffer.count, (DrawStyle){.kind = DRAW_LINES, .exposure = strength});
 }

@@ -1,18 +1,18 @@
-// What stands on a canvas: batches of vertices, words, pictures; and its size.
+// What stands on a canvas: buffers of vertices, words, pictures; and its size.
 #include "unit/preview/canvas_helpers.h"
 
-static void a_batch_is_drawn_in_parts(void **state)
+static void a_buffer_is_drawn_in_parts(void **state)
 {
     (void)state;
     Canvas *canvas = new_canvas();
-    Batch *batch = batch_create(canvas);
+    VertexBuffer buffer = {0, 0, 0};
     Vertex points[8];
     for (int i = 0; i < 8; i++)
         points[i] = (Vertex){10.5f * (float)i + 0.5f, 5.5f, 0, 255, 255, 255, 255};
     const DrawStyle style = {.kind = DRAW_POINTS};
-    assert_int_equal(batch_count(batch), 0);
-    batch_upload(canvas, batch, points, 8);
-    assert_int_equal(batch_count(batch), 8);
+    assert_int_equal(buffer.count, 0);
+    vertex_buffer_upload(canvas, &buffer, points, 8);
+    assert_int_equal(buffer.count, 8);
     static const struct {
         size_t first, count;
         int drawn;
@@ -20,19 +20,19 @@ static void a_batch_is_drawn_in_parts(void **state)
     for (size_t i = 0; i < sizeof PARTS / sizeof *PARTS; i++) {
         canvas_begin(canvas);
         view_pixels(canvas);
-        batch_draw(canvas, batch, PARTS[i].first, PARTS[i].count, &style);
+        vertex_buffer_draw(canvas, &buffer, PARTS[i].first, PARTS[i].count, &style);
         look(canvas);
         assert_int_equal(count_all(), PARTS[i].drawn);
     }
-    batch_upload(canvas, batch, points, 1);
+    vertex_buffer_upload(canvas, &buffer, points, 1);
     canvas_begin(canvas);
     view_pixels(canvas);
-    batch_draw(canvas, batch, 0, 8, &style);
+    vertex_buffer_draw(canvas, &buffer, 0, 8, &style);
     look(canvas);
     assert_int_equal(count_all(), 1);
-    batch_upload(canvas, batch, NULL, 0);
-    batch_draw(canvas, batch, 0, 8, &style);
-    batch_free(canvas, batch);
+    vertex_buffer_upload(canvas, &buffer, NULL, 0);
+    vertex_buffer_draw(canvas, &buffer, 0, 8, &style);
+    vertex_buffer_free(canvas, &buffer);
     canvas_free(canvas);
 }
 
@@ -117,7 +117,7 @@ static void a_canvas_changes_its_size(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_batch_is_drawn_in_parts),
+        cmocka_unit_test(a_buffer_is_drawn_in_parts),
         cmocka_unit_test(words_stay_in_their_lines),
         cmocka_unit_test(a_picture_stands_upright),
         cmocka_unit_test(a_canvas_changes_its_size),

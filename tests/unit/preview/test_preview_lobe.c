@@ -3,20 +3,22 @@
 #include "unit/test_common.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 // Over the upper hemisphere: what is missing to 1 is what points into the surface.
-static double density_integral(const View *view, StepChoice play, const LobeTable *table)
+static double density_integral(StepChoice play, bool diffuse)
 {
     double sum = 0;
     int rings = 600, spokes = 600;
+    Lobe lobe;
+    assert_true(lobe_prepare(20, 60, diffuse, play, &lobe));
     for (int i = 0; i < rings; i++)
         for (int j = 0; j < spokes; j++) {
             float z = ((float)i + 0.5f) / (float)rings, phi = 2 * PI * ((float)j + 0.5f) / (float)spokes;
             float level = sqrtf(1 - z * z);
-            Vec3 d = vec3(level * cosf(phi), level * sinf(phi), z);
-            sum += (double)lobe_density(view, play, table, d);
+            sum += (double)lobe_density(&lobe, vec3(level * cosf(phi), level * sinf(phi), z));
         }
+    assert_true(lobe_density(&lobe, vec3(0, 0, -1)) == 0);
+    lobe_free(&lobe);
     return sum * 2 * (double)PI / (rings * spokes);
 }
 
@@ -25,17 +27,14 @@ static void densities_add_up(void **state)
     (void)state;
     LobeTable *table = malloc(sizeof *table);
     assert_non_null(table);
-    View view = {.exponent = 20, .angle = 60};
-    lobe_table_fill(table, view.exponent);
+    lobe_table_fill(table, 20);
     float above = lobe_above_surface(table, cosf(60 * PI / 180)) * 21 / (2 * PI);
-    StepChoice phong = {GLOSSY_PHONG, false}, source = {GLOSSY_SOURCE_TEXT, false};
-    assert_true(fabs(density_integral(&view, phong, table) - (double)above) < 2e-3);
-    assert_true(above < 0.999f);
-    assert_true(fabs(density_integral(&view, source, table) - 1) < 2e-3);
-    view.diffuse = true;
-    assert_true(fabs(density_integral(&view, phong, table) - 1) < 2e-3);
-    assert_true(lobe_density(&view, phong, table, vec3(0, 0, -1)) == 0);
     free(table);
+    StepChoice phong = {GLOSSY_PHONG, false}, source = {GLOSSY_SOURCE_TEXT, false};
+    assert_true(fabs(density_integral(phong, false) - (double)above) < 2e-3);
+    assert_true(above < 0.999f);
+    assert_true(fabs(density_integral(source, false) - 1) < 2e-3);
+    assert_true(fabs(density_integral(phong, true) - 1) < 2e-3);
 }
 
 // ---- the cloud
@@ -59,25 +58,25 @@ static const struct {
 #endif
 #define SAMPLES 20000
 
-static Vec3 sample(const View *view, StepFault fault, Rng *rng, float *weight)
+static Vec3 sample(const Lobe *lobe, StepFault fault, Rng *rng, float *weight)
 {
-    float angle = fault == UNTURNED ? 0.0f : view->angle * PI / 180.0f;
+    float angle = fault == UNTURNED ? 0.0f : lobe->angle * PI / 180.0f;
     Vec3 normal = vec3(0, 0, 1), out = normal;
     *weight = 1.0f;
-    if (view->diffuse)
+    if (lobe->diffuse)
         out = steps.scatter_diffuse(fault == UNTURNED ? vec3(sinf(1.0f), 0, cosf(1.0f)) : normal, rng);
-    else if (!steps.scatter_glossy(vec3(sinf(angle), 0, -cosf(angle)), normal, view->exponent, rng, &out, weight))
+    else if (!steps.scatter_glossy(vec3(sinf(angle), 0, -cosf(angle)), normal, lobe->exponent, rng, &out, weight))
         *weight = 0.0f;
     return vec3_scale(out, fault == INSIDE_OUT ? -1.0f : fault == TOO_LONG ? 1.3f : 1.0f);
 }
 
-static LobeSamples samples_of(const View *view, StepFault fault)
+static LobeSamples samples_of(const Lobe *lobe, StepFault fault)
 {
     LobeSamples samples = {calloc(SAMPLES, sizeof(LobeSample)), SAMPLES};
     assert_non_null(samples.items);
     for (size_t i = 0; i < SAMPLES; i++) {
         Rng rng = rng_create(11, i);
-        samples.items[i].direction = sample(view, fault, &rng, &samples.items[i].weight);
+        samples.items[i].direction = sample(lobe, fault, &rng, &samples.items[i].weight);
     }
     return samples;
 }
@@ -92,35 +91,31 @@ typedef struct {
 
 static Distance cloud_distance(size_t setting, StepFault fault)
 {
-    const View here = {.exponent = settings[setting].exponent,
-                       .angle = settings[setting].angle,
-                       .diffuse = settings[setting].diffuse},
-               *view = &here;
     StepChoice play = {settings[setting].source_text ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG, false};
-    Side side;
     Lobe lobe;
+    LobeCounts counts;
     Vertices cloud = {.items = NULL};
     Distance distance = {0};
-    memset(&side, 0, sizeof side);
     steps_play(play);
-    side.lobe = samples_of(view, fault);
-    assert_true(lobe_prepare(view, play, &lobe));
-    lobe_cloud(&lobe, &side, &cloud);
+    assert_true(
+        lobe_prepare(settings[setting].exponent, settings[setting].angle, settings[setting].diffuse, play, &lobe));
+    LobeSamples samples = samples_of(&lobe, fault);
+    lobe_cloud(&lobe, &samples, &counts, &cloud);
     for (size_t i = 0; i < cloud.count; i++) {
-        Vec3 local = vec3(cloud.items[i].x, -cloud.items[i].z, cloud.items[i].y); // up is +y on the stage
+        Vec3 local = vec3(cloud.items[i].x, -cloud.items[i].z, cloud.items[i].y); // up is +y
         float reach = vec3_length(local);
-        float density = lobe_density(view, play, lobe.table, vec3_scale(local, 1.0f / reach));
+        float density = lobe_density(&lobe, vec3_scale(local, 1.0f / reach));
         double out = (double)(reach - density / lobe.peak);
         distance.apart += fabs(out) / (double)cloud.count;
         distance.outwards += out / (double)cloud.count;
         distance.noise += 0.798 / sqrt(300.0) * (double)(density / lobe.peak) / (double)cloud.count;
     }
     distance.count = cloud.count;
-    distance.absorbed = side.lobe_absorbed;
-    distance.too_long = side.lobe_long;
-    distance.below = side.lobe_below;
-    free(lobe.table);
-    lobe_samples_free(&side.lobe);
+    distance.absorbed = counts.absorbed;
+    distance.too_long = counts.not_unit;
+    distance.below = counts.below;
+    lobe_free(&lobe);
+    lobe_samples_free(&samples);
     vertices_free(&cloud);
     return distance;
 }
@@ -156,28 +151,26 @@ static void wrong_samples_do_not(void **state)
 static void nothing_and_no_number_are_left_out(void **state)
 {
     (void)state;
-    Side side;
     Lobe lobe;
+    LobeCounts counts;
     Vertices cloud = {.items = NULL};
-    View view = {.exponent = 20, .angle = 60};
-    memset(&side, 0, sizeof side);
     steps_play(PLAY_DEFAULT);
-    side.lobe = samples_of(&view, RIGHT);
+    assert_true(lobe_prepare(20, 60, false, PLAY_DEFAULT, &lobe));
+    LobeSamples samples = samples_of(&lobe, RIGHT);
     size_t sound = 0;
     for (size_t i = 0; i < SAMPLES; i++) {
         if (i % 10 == 0)
-            side.lobe.items[i].direction = i % 20 ? vec3(NAN, 0, 1) : vec3(0, 0, 0);
+            samples.items[i].direction = i % 20 ? vec3(NAN, 0, 1) : vec3(0, 0, 0);
         else
-            sound += side.lobe.items[i].weight > 0.0f;
+            sound += samples.items[i].weight > 0.0f;
     }
-    assert_true(lobe_prepare(&view, PLAY_DEFAULT, &lobe));
-    lobe_cloud(&lobe, &side, &cloud);
+    lobe_cloud(&lobe, &samples, &counts, &cloud);
     assert_int_equal(cloud.count, sound);
-    assert_int_equal(side.lobe_long, SAMPLES - side.lobe_absorbed - sound);
+    assert_int_equal(counts.not_unit, SAMPLES - counts.absorbed - sound);
     for (size_t i = 0; i < cloud.count; i++)
         assert_true(isfinite(cloud.items[i].x + cloud.items[i].y + cloud.items[i].z));
-    free(lobe.table);
-    lobe_samples_free(&side.lobe);
+    lobe_free(&lobe);
+    lobe_samples_free(&samples);
     vertices_free(&cloud);
 }
 

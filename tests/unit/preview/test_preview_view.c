@@ -4,6 +4,8 @@
 #include "preview/view/view_internal.h"
 #include "unit/test_common.h"
 
+#include <dirent.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,7 +50,7 @@ static void brightness_does_not_depend_on_the_number(void **state)
     assert_int_equal(dark.r, 0);
 }
 
-// The same photons as a side has them.
+// The same photons as a view has them.
 static Recording recording_of(const Scene *scene, long emitted)
 {
     PhotonPass pass = photons_of(scene, emitted, 1, PLAY_DEFAULT);
@@ -184,6 +186,39 @@ static double mean_brightness(Canvas *canvas)
     return sum / (double)count / 3.0;
 }
 
+// What a view must not leave out, by name; and that no file of a view is left out of the list.
+static void every_view_is_whole_and_listed(void **state)
+{
+    (void)state;
+    for (int i = 0; i < VIEW_COUNT; i++) {
+        const ViewType *type = view_types[i];
+        const char *missing = !type->name                                       ? "name"
+                              : !type->help                                     ? "help"
+                              : !type->draw                                     ? "draw"
+                              : !type->describe                                 ? "describe"
+                              : !type->arrows != !type->choose                  ? "arrows or choose"
+                              : type->place == IN_THE_SCENE && type->wires <= 0 ? "wires"
+                                                                                : NULL;
+        if (missing)
+            fail_msg("the ViewType of view %d, %s, has no %s", i + 1, type->name ? type->name : "?", missing);
+        for (int j = 0; j < MOST_SETTINGS; j++)
+            if (type->settings[j].key && !type->settings[j].words)
+                fail_msg("--%s of view %s has a key and no words", type->settings[j].flag, type->name);
+    }
+    DIR *folder = opendir("lib/preview/view");
+    assert_non_null(folder);
+    for (struct dirent *entry; (entry = readdir(folder));) {
+        char name[64] = "";
+        ViewKind kind;
+        size_t length = strlen(entry->d_name);
+        if (sscanf(entry->d_name, "view_%60[a-z0-9_]", name) != 1 || strcmp(entry->d_name + length - 2, ".c") != 0)
+            continue;
+        if (!view_kind_parse(name, &kind))
+            fail_msg("lib/preview/view/%s: views.def has no view of this name", entry->d_name);
+    }
+    closedir(folder);
+}
+
 // Every view at the smallest size; points as bright whether a tenth or all of them is drawn.
 static void every_view_draws(void **state)
 {
@@ -199,23 +234,23 @@ static void every_view_draws(void **state)
     Canvas *canvas = canvas_create(context_loader(context), 400, 300, &error);
     assert_non_null(canvas);
     Scene *scene = scene_from_file("scenes/box_diffuse.yaml");
-    Side *side = side_create(canvas, scene), *empty = side_create(canvas, scene);
-    assert_true(side && empty);
+    ViewData *data = view_data_create(canvas, scene), *empty = view_data_create(canvas, scene);
+    assert_true(data && empty);
     View view = view_default(scene);
     Captions captions = {.help = "keys", .left_title = "yours", .right_title = "reference", .status = "status"};
-    view_draw(canvas, scene, &view, empty, NULL, &captions); // nothing is there yet
-    side_set_recording(side, recording_of(scene, 100000));
+    view_draw(canvas, &view, empty, NULL, &captions); // nothing is there yet
+    view_data_record(data, recording_of(scene, 100000));
     view.wireframe = false;
     captions.bare = true;
-    view_draw(canvas, scene, &view, side, NULL, &captions);
+    view_draw(canvas, &view, data, NULL, &captions);
     double all = mean_brightness(canvas);
-    view.most_points = side_recording(side)->count / 10;
-    view_draw(canvas, scene, &view, side, NULL, &captions);
+    view.most_points = view_data_recording(data)->count / 10;
+    view_draw(canvas, &view, data, NULL, &captions);
     double part = mean_brightness(canvas);
     assert_true(all > 8 && part / all > 0.6 && part / all < 1.6);
     view.flight = 1.0; // a tenth of them
     view.most_points = 0;
-    view_draw(canvas, scene, &view, side, NULL, &captions);
+    view_draw(canvas, &view, data, NULL, &captions);
     assert_true(mean_brightness(canvas) < 0.3 * all);
     view.flight = -1;
     captions.bare = false;
@@ -225,13 +260,13 @@ static void every_view_draws(void **state)
         for (int colour = 0; colour < COLOUR_COUNT; colour++) {
             view.kind = (ViewKind)kind;
             view.colour = (ColourMode)colour;
-            view_draw(canvas, scene, &view, side, empty, &captions);
+            view_draw(canvas, &view, data, empty, &captions);
             char text[256] = "";
-            view_describe(&view, scene, side, text, sizeof text);
+            view_type(&view)->describe(&view, data, text, sizeof text);
             assert_true(strlen(text) > 10);
         }
-    side_free(side);
-    side_free(empty);
+    view_data_free(data);
+    view_data_free(empty);
     scene_free(scene);
     canvas_free(canvas);
     context_free(context);
@@ -246,6 +281,7 @@ int main(void)
         cmocka_unit_test(cells_hold_every_photon_once),
         cmocka_unit_test(legs_are_found_and_cut_at_the_front),
         cmocka_unit_test(words_fit),
+        cmocka_unit_test(every_view_is_whole_and_listed),
         cmocka_unit_test(every_view_draws),
     };
     return cmocka_run_group_tests(tests, load_reference_steps, NULL);

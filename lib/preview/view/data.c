@@ -1,0 +1,86 @@
+// One half's data and what was made of it.
+#include "preview/view/view_internal.h"
+
+#include <stdlib.h>
+
+ViewData *view_data_create(Canvas *canvas, const Scene *scene)
+{
+    ViewData *data = calloc(1, sizeof *data);
+    if (!data)
+        return NULL;
+    data->canvas = canvas;
+    data->scene = scene;
+    data->recordings = 1; // the empty one
+    for (int i = 0; i < VIEW_COUNT; i++)
+        if (!(data->found[i] = calloc(1, view_types[i]->found_size + 1))) {
+            view_data_free(data);
+            return NULL;
+        }
+    return data;
+}
+
+void view_data_free(ViewData *data)
+{
+    if (!data)
+        return;
+    vertex_buffer_free(data->canvas, &data->wires.buffer);
+    for (int i = 0; i < VIEW_COUNT; i++) {
+        for (int j = 0; j < 2; j++)
+            vertex_buffer_free(data->canvas, &data->caches[i][j].buffer);
+        if (data->found[i] && view_types[i]->free_found)
+            view_types[i]->free_found(data->found[i]);
+        free(data->found[i]);
+    }
+    recording_free(&data->recording);
+    lobe_samples_free(&data->lobe);
+    free(data);
+}
+
+static int compare_floats(const void *a, const void *b)
+{
+    float x = *(const float *)a, y = *(const float *)b;
+    return x < y ? -1 : x > y;
+}
+
+// The power that nine of ten photons do not exceed: 1/N of all, whatever N is.
+static float bright_power(const Recording *recording)
+{
+    enum { MOST = 4096 };
+    float powers[MOST];
+    size_t stride = recording->count / MOST + 1, count = 0;
+    for (size_t i = 0; i < recording->count && count < MOST; i += stride) {
+        float power = colour_max(recording->photons[i].at.power);
+        if (power > 0.0f && isfinite(power))
+            powers[count++] = power;
+    }
+    bool none = count == 0; // all have left: of the legs, then
+    for (size_t i = 0; none && i < recording->leg_count && count < MOST; i++) {
+        float power = colour_max(recording->legs[i].power);
+        if (power > 0.0f && isfinite(power))
+            powers[count++] = power;
+    }
+    if (count == 0)
+        return 1.0f;
+    qsort(powers, count, sizeof *powers, compare_floats);
+    return powers[count * 9 / 10];
+}
+
+void view_data_record(ViewData *data, Recording recording)
+{
+    recording_free(&data->recording);
+    data->recording = recording;
+    data->recordings++;
+    data->power = bright_power(&recording);
+}
+
+const Recording *view_data_recording(const ViewData *data)
+{
+    return &data->recording;
+}
+
+void view_data_sample(ViewData *data, LobeSamples samples)
+{
+    lobe_samples_free(&data->lobe);
+    data->lobe = samples;
+    data->lobes++;
+}

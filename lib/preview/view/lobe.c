@@ -1,0 +1,112 @@
+// The lobe of a scatter step's equation, and the cloud of its samples. A sample's point lies in its direction, as far out
+// as the samples are dense there, by the estimate that photon maps make: k nearest over their area. So the cloud lies on
+// the equation's surface where the step is right, whatever is wrong in it.
+#include "preview/view/view_internal.h"
+
+#include <stdlib.h>
+
+#define NEAREST 300 // samples in an estimate: 6 % of noise
+
+Vec3 lobe_mirror(const Lobe *lobe)
+{
+    float angle = lobe->angle * (PI / 180.0f);
+    return vec3(sinf(angle), 0, cosf(angle));
+}
+
+float lobe_density(const Lobe *lobe, Vec3 direction)
+{
+    if (direction.z <= 0.0f)
+        return 0.0f;
+    if (lobe->diffuse)
+        return direction.z / PI;
+    Vec3 mirror = lobe_mirror(lobe);
+    float cosine = fminf(vec3_dot(mirror, direction), 1.0f);
+    float height = cosine > 0.0f ? powf(cosine, lobe->exponent) : 0.0f;
+    if (lobe->play.glossy == GLOSSY_PHONG)
+        return (lobe->exponent + 1.0f) / (2.0f * PI) * height;
+    if (cosine <= 0.0f)
+        return direction.z / PI;
+    float share = 0.5f * (1.0f + mirror.z); // of diffuse directions that lie on the mirror direction's side
+    return share * height / lobe_above_surface(lobe->table, mirror.z);
+}
+
+bool lobe_prepare(float exponent, float angle, bool diffuse, StepChoice play, Lobe *lobe)
+{
+    *lobe = (Lobe){exponent, angle, diffuse, play, malloc(sizeof(LobeTable)), 1.0f};
+    if (!lobe->table)
+        return false;
+    lobe_table_fill(lobe->table, exponent);
+    float peak = lobe_density(lobe, lobe_mirror(lobe));
+    for (int i = 0; i <= 1000; i++) { // along the plane of incidence, where the peak is
+        float polar = PI * ((float)i / 1000.0f - 0.5f);
+        peak = fmaxf(peak, lobe_density(lobe, vec3(sinf(polar), 0, cosf(polar))));
+    }
+    lobe->peak = peak;
+    return true;
+}
+
+void lobe_free(Lobe *lobe)
+{
+    free(lobe->table);
+}
+
+Vec3 lobe_upright(Vec3 local)
+{
+    return vec3(local.x, local.z, -local.y);
+}
+
+// Part of the disk of radius r about a direction that lies above the surface, where directions can be.
+static float part_above(float height, float r)
+{
+    float t = height / r;
+    if (t >= 1.0f || t <= 0.0f)
+        return 1.0f;
+    return 1.0f - (acosf(t) - t * sqrtf(1.0f - t * t)) / PI;
+}
+
+// The samples that have a direction, as photons where it meets the unit sphere; the others are counted and left out. The
+// map makes no use of `packed_wi`: it is the number of the sample.
+static size_t to_photons(const LobeSamples *samples, LobeCounts *counts, StoredPhoton *photons)
+{
+    size_t count = 0;
+    *counts = (LobeCounts){0, 0, 0};
+    for (size_t i = 0; i < samples->count; i++) {
+        Vec3 d = samples->items[i].direction;
+        float length = vec3_length(d);
+        if (samples->items[i].weight == 0.0f) {
+            counts->absorbed++;
+            continue;
+        }
+        bool sound = isfinite(length) && length > 1e-6f;
+        counts->not_unit += !sound || fabsf(length - 1.0f) > 1e-3f;
+        counts->below += sound && d.z < 0.0f;
+        if (sound)
+            photons[count++] = (StoredPhoton){.position = vec3_scale(d, 1.0f / length), .packed_wi = (uint32_t)i};
+    }
+    return count;
+}
+
+void lobe_cloud(const Lobe *lobe, const LobeSamples *samples, LobeCounts *counts, Vertices *list)
+{
+    StoredPhoton *photons = malloc((samples->count + 1) * sizeof *photons);
+    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(NEAREST)];
+    Error error;
+    size_t count = photons ? to_photons(samples, counts, photons) : 0;
+    PhotonMap *map = photons ? photon_map_build(photons, count, &error) : NULL;
+    for (size_t i = 0; map && i < count; i++) {
+        const StoredPhoton *photon = &photon_map_photons(map)[i];
+        Vec3 direction = photon->position;
+        float radius2 = INFINITY;
+        if (photon_map_nearest(map, direction, NEAREST, &radius2, near) < NEAREST)
+            continue;
+        radius2 = fmaxf(radius2, 1e-10f);
+        float share = (float)(NEAREST - 1) / (float)samples->count; // without the sample itself
+        float density = share / (PI * radius2 * part_above(direction.z, sqrtf(radius2)));
+        float length = vec3_length(samples->items[photon->packed_wi].direction);
+        float far_out = fminf(density / lobe->peak, 2.5f) * length;
+        Rgba colour = direction.z < 0.0f ? (Rgba){255, 50, 50, 255} : (Rgba){255, 205, 110, 120};
+        vertices_point(list, lobe_upright(vec3_scale(direction, far_out)), colour);
+    }
+    if (map)
+        photon_map_free(map);
+}
