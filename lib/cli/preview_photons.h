@@ -1,5 +1,4 @@
-// Photons out of a file, for `photonlab preview --photons-file`: SCATTER_MAGIC, a head and photons, as probe_scatter.h
-// describes them.
+// Photons out of a file, for `photonlab preview --photons-file`; see photon_numbers.h.
 #ifndef PHOTONLAB_CLI_PREVIEW_PHOTONS_H
 #define PHOTONLAB_CLI_PREVIEW_PHOTONS_H
 

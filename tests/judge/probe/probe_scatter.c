@@ -4,9 +4,11 @@
 
 #include "photons/pass/photon_pass.h"
 
+#include <string.h>
+
 typedef struct {
     ProbeOutput *output;
-    long path, stored, room;
+    long path, stored, most;
 } Record;
 
 static void begin_path(void *user, long path)
@@ -14,20 +16,18 @@ static void begin_path(void *user, long path)
     ((Record *)user)->path = path;
 }
 
+static void put_all(ProbeOutput *output, const void *numbers, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        probe_put(output, ((const float *)numbers)[i]);
+}
+
 static void put_stored(void *user, const StoredPhoton *photon, float flown)
 {
     Record *record = user;
-    if (record->stored++ >= record->room)
-        return;
-    probe_put_vec3(record->output, photon->position);
-    probe_put_vec3(record->output, stored_photon_wi(photon));
-    probe_put_colour(record->output, photon->power);
-    probe_put(record->output, (float)photon->colour);
-    probe_put(record->output, (float)photon->bounce);
-    probe_put(record->output, (float)photon->path);
-    probe_put(record->output, (float)photon->material);
-    probe_put(record->output, (float)record->path);
-    probe_put(record->output, flown);
+    PhotonNumbers numbers = photon_numbers(photon, record->path, flown);
+    if (record->stored++ < record->most)
+        put_all(record->output, &numbers, SCATTER_NUMBERS);
 }
 
 static void pass_over(void *user, const Photon *photon, const Hit *hit)
@@ -35,25 +35,24 @@ static void pass_over(void *user, const Photon *photon, const Hit *hit)
     (void)user, (void)photon, (void)hit;
 }
 
-static bool run_pass(const Scene *scene, PhotonPassOptions *options, long room, ProbeOutput *output, Error *error)
+static bool run_pass(const Scene *scene, PhotonPassOptions *options, long most, ProbeOutput *output, Error *error)
 {
-    Record record = {output, 0, 0, room};
+    Record record = {output, 0, 0, most};
     PhotonRecorder recorder = {&record, begin_path, put_stored, pass_over};
+    PhotonNumbersHead head = {0.0f, 0.0f, 0.0f};
     options->recorder = &recorder;
-    size_t head = output->count;
-    for (int i = 0; i < SCATTER_HEAD; i++)
-        probe_put(output, 0.0f);
+    size_t start = output->count;
+    put_all(output, &head, SCATTER_HEAD);
     PhotonPass pass;
     if (!photon_pass_run(scene, options, &pass, error))
         return false;
     photon_pass_free(&pass);
-    while (!output->out_of_memory && output->count < head + SCATTER_HEAD + (size_t)room * SCATTER_NUMBERS)
+    while (!output->out_of_memory && output->count < start + SCATTER_HEAD + (size_t)most * SCATTER_NUMBERS)
         probe_put(output, 0.0f);
     if (output->out_of_memory)
         return true; // said by the caller
-    output->values[head + SCATTER_STORED] = (float)record.stored;
-    output->values[head + SCATTER_EMITTED] = (float)pass.emitted;
-    output->values[head + SCATTER_UNSOUND] = (float)pass.unsound.total;
+    head = (PhotonNumbersHead){(float)record.stored, (float)pass.emitted, (float)pass.unsound.total};
+    memcpy(output->values + start, &head, sizeof head);
     return true;
 }
 
@@ -62,7 +61,7 @@ bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error)
     const char *path = probe_word(line);
     PhotonPassOptions options = {.threads = 1, .keep = KEEP_ALL};
     options.photons = probe_whole(line, 1, 10000000);
-    long room = probe_whole(line, 1, SCATTER_MOST_ROOM);
+    long most = probe_whole(line, 1, SCATTER_MOST_PHOTONS);
     options.depth = (int)probe_whole(line, 1, 1000);
     const char *steps_text = probe_word(line);
     options.seed = probe_seed(line);
@@ -75,7 +74,7 @@ bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error)
     options.glossy = play.glossy;
     options.loop = play.loop;
     steps_play(play);
-    bool ok = run_pass(scene, &options, room, output, error);
+    bool ok = run_pass(scene, &options, most, output, error);
     scene_free(scene);
     return ok;
 }

@@ -61,14 +61,36 @@ static uint64_t seed_of(const GradeOptions *options, int stage, int round, bool 
     return hash_u64(hash ^ 0x73636174u);
 }
 
-// One pass's photons, to be freed; NULL with a status and a message otherwise.
-static float *run(const Stage *s, bool reference, uint64_t seed, StageResult *result)
+// Whatever the steps do, the library stores photons like this. False: the numbers are none that the probe writes.
+static bool take_photons(float *numbers, long emitted, ScatterPhotons *photons)
+{
+    *photons =
+        (ScatterPhotons){.numbers = numbers, .items = (const PhotonNumbers *)(const void *)(numbers + SCATTER_HEAD)};
+    memcpy(&photons->head, numbers, sizeof photons->head);
+    const PhotonNumbersHead *head = &photons->head;
+    if (!photon_number_is_whole(head->stored, 1e12) || !photon_number_is_whole(head->unsound, 1e12) ||
+        head->emitted != (float)emitted)
+        return false;
+    photons->count = head->stored < (float)SCATTER_MOST ? (long)head->stored : SCATTER_MOST;
+    float path = 0.0f;
+    for (long i = 0; i < photons->count; i++) {
+        const PhotonNumbers *p = &photons->items[i];
+        if (!photon_numbers_are_sound(p, SCATTER_MOST_MATERIALS) ||
+            !photon_number_is_whole(p->emission, (double)emitted) || p->emission < path)
+            return false;
+        path = p->emission;
+    }
+    return true;
+}
+
+// One pass; false with a status and a message when it did not get through. The caller frees the numbers either way.
+static bool run(const Stage *s, bool reference, uint64_t seed, ScatterPhotons *photons, StageResult *result)
 {
     const GradeOptions *o = s->options;
     Cast nobody = {.list = ""};
     const Cast *cast = reference ? &nobody : &s->cast;
     char line[400], *lines[] = {line};
-    snprintf(line, sizeof line, "scatter %s %ld %ld %d %s %llu", s->stage->scene, s->stage->photons, SCATTER_ROOM,
+    snprintf(line, sizeof line, "scatter %s %ld %ld %d %s %llu", s->stage->scene, s->stage->photons, SCATTER_MOST,
              s->stage->depth, s->cast.play, (unsigned long long)seed);
     ProbeJob job;
     probe_job_start(o, s->directory, reference ? "reference.txt" : "scatter.txt", &job);
@@ -97,13 +119,16 @@ static float *run(const Stage *s, bool reference, uint64_t seed, StageResult *re
     }
     if (reference && result->status == STATUS_ERROR)
         result->status = STATUS_SKIP; // no fault of the student
+    photons->numbers = ran->storage;
     free(words_for);
-    float *photons = ran->storage;
     free(ran);
-    if (result->status == STATUS_PASS)
-        return photons;
-    free(photons);
-    return NULL;
+    if (result->status != STATUS_PASS)
+        return false;
+    if (take_photons(photons->numbers, s->stage->photons, photons))
+        return true;
+    result->status = STATUS_ERROR;
+    snprintf(result->message, sizeof result->message, "something other than the probe wrote to the results");
+    return false;
 }
 
 static void read_names(const Stage *s, ScatterNames *names)
@@ -117,34 +142,24 @@ static void read_names(const Stage *s, ScatterNames *names)
     scene_free(scene);
 }
 
-// One round: both runs and what their numbers say. *keep: their photons are kept in the result.
-static void play_round(const Stage *s, int round, bool keep, StageResult *result)
+// One round: both runs and what their numbers say. The photons are kept in the result.
+static void play_round(const Stage *s, int round, StageResult *result)
 {
-    float *yours = run(s, false, seed_of(s->options, result->stage, round, false), result);
-    float *reference = yours ? run(s, true, seed_of(s->options, result->stage, round, true), result) : NULL;
     ScatterNames names;
     ScatterFinding finding;
-    if (yours && reference) {
-        read_names(s, &names);
-        if (!scatter_compare(yours, reference, SCATTER_ROOM, s->stage->photons, &names, &finding)) {
-            result->status = STATUS_ERROR;
-            snprintf(result->message, sizeof result->message, "something other than the probe wrote to the results");
-        } else {
-            result->p = finding.certain ? 0.0 : finding.p;
-            result->tests = finding.tests;
-            result->threshold = LEVEL / fmax(1.0, (double)finding.tests);
-            bool failed = finding.certain || finding.p < result->threshold;
-            result->status = failed ? STATUS_FAIL : STATUS_PASS;
-            snprintf(result->message, sizeof result->message, "%s", failed ? finding.message : "");
-        }
-    }
-    if (keep && yours && reference && result->status != STATUS_ERROR) {
-        result->yours = yours;
-        result->reference = reference;
+    if (!run(s, false, seed_of(s->options, result->stage, round, false), &result->yours, result) ||
+        !run(s, true, seed_of(s->options, result->stage, round, true), &result->reference, result)) {
+        stage_result_free(result);
         return;
     }
-    free(yours);
-    free(reference);
+    read_names(s, &names);
+    scatter_compare(&result->yours, &result->reference, &names, &finding);
+    result->p = finding.certain ? 0.0 : finding.p;
+    result->tests = finding.tests;
+    result->threshold = LEVEL / fmax(1.0, (double)finding.tests);
+    bool failed = finding.certain || finding.p < result->threshold;
+    result->status = failed ? STATUS_FAIL : STATUS_PASS;
+    snprintf(result->message, sizeof result->message, "%s", failed ? finding.message : "");
 }
 
 void grade_scatter(const GradeOptions *options, int stage, const StepResult *graded, int count, StageResult *result)
@@ -159,26 +174,24 @@ void grade_scatter(const GradeOptions *options, int stage, const StepResult *gra
         result->steps[c - s.cast.list] = *c == ',' ? ' ' : *c;
     snprintf(s.directory, sizeof s.directory, "%s/scatter_%d", options->work, stage);
     mkdir(s.directory, 0755);
-    play_round(&s, 0, true, result);
+    play_round(&s, 0, result);
     bool by_chance = result->status == STATUS_FAIL && result->p > 0.0;
     if (by_chance && !options->first_round_only) {
-        StageResult *again = malloc(sizeof *again);
-        if (!again)
-            exit(3);
-        *again = *result;
-        play_round(&s, 1, false, again);
-        if (again->status != STATUS_FAIL) {
-            result->status = again->status;
-            snprintf(result->message, sizeof result->message, "%s", again->message);
+        StageResult again = {.stage = stage, .p = 1.0};
+        memcpy(again.steps, result->steps, sizeof again.steps);
+        play_round(&s, 1, &again);
+        if (again.status != STATUS_FAIL) {
+            result->status = again.status;
+            memcpy(result->message, again.message, sizeof result->message);
         }
-        free(again);
+        stage_result_free(&again);
     }
     result->seconds = clock_seconds() - start;
 }
 
 void stage_result_free(StageResult *result)
 {
-    free(result->yours);
-    free(result->reference);
-    result->yours = result->reference = NULL;
+    free(result->yours.numbers);
+    free(result->reference.numbers);
+    result->yours = result->reference = (ScatterPhotons){.numbers = NULL};
 }

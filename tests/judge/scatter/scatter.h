@@ -5,6 +5,15 @@
 #define PHOTONLAB_JUDGE_SCATTER_H
 
 #include "judge/grade/grade.h"
+#include "photons/photon_numbers.h"
+
+// What the probe gave for one pass.
+typedef struct {
+    float *numbers; // owns them; NULL: nothing
+    PhotonNumbersHead head;
+    const PhotonNumbers *items;
+    long count;
+} ScatterPhotons;
 
 typedef struct {
     int stage;          // 0: not asked for
@@ -15,9 +24,9 @@ typedef struct {
     double threshold;
     int tests;
     double seconds;
-    float *yours, *reference;  // the photons of the first round: see tests/judge/probe/probe_scatter.h. NULL: none
-    char picture[64];          // both side by side: path below the report's directory; empty: there is none
-    char picture_message[300]; // why not
+    ScatterPhotons yours, reference; // of the first round
+    char picture[64];                // both side by side: path below the report's directory; empty: there is none
+    char picture_message[300];       // why not
 } StageResult;
 
 // Runs and judges the stage with those of the graded steps that are `playable` and not hidden, the reference's for the
@@ -39,7 +48,7 @@ typedef struct {
     const char *colour; // of the picture's points: what `photonlab preview --colour` takes
 } ScatterStage;
 extern const ScatterStage scatter_stages[STAGE_COUNT];
-#define SCATTER_ROOM 60000L
+#define SCATTER_MOST 60000L // photons that are kept of one pass
 
 // ---- scatter_compare.c
 
@@ -56,9 +65,8 @@ typedef struct {
     char message[600];
 } ScatterFinding;
 
-// Head and photons of two runs, of `room` photons each. `names`: of the scene's materials.
-// False: the numbers are none that the probe writes.
-bool scatter_compare(const float *yours, const float *reference, long room, long emitted, const ScatterNames *names,
+// `names`: of the scene's materials.
+void scatter_compare(const ScatterPhotons *yours, const ScatterPhotons *reference, const ScatterNames *names,
                      ScatterFinding *finding);
 
 // ---- scatter_words.c

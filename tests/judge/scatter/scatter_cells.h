@@ -16,30 +16,29 @@ enum {
     CELLS = CELLS_BOUNCE + BOUNCES
 };
 
-enum { COUNT = 0, FLUX = 1, PLACE = 4, WAY = 7, SPREAD = 10, SUMS = 13 };
+// What is summed of the photons of a cell; spread: squares of the distance from the mean place along each axis.
+typedef union {
+    struct {
+        double count, flux[3], place[3], way[3], spread[3];
+    } of;
+    double all[13];
+} Measures;
+#define MEASURES       (sizeof(Measures) / sizeof(double))
+#define MEASURE(which) (offsetof(Measures, of.which) / sizeof(double))
 
 typedef struct {
-    double count, hits, last;    // last: path that was here
-    double mean[SUMS];           // per photon, of this side
-    double batch[BATCHES][SUMS]; // centred sums
+    double count, hits, last; // last: path that was here
+    Measures mean;            // per photon, of this tally
+    Measures batch[BATCHES];  // centred sums
 } Cell;
 
 typedef struct {
     Cell cells[CELLS];
-} Side; // the student's, or the reference's
+} Tally; // of the student's photons, or of the reference's
 
-typedef struct {
-    const float *numbers;
-    long count, emitted;
-} Photons;
-
-// False: the numbers are none that the probe writes.
-bool photons_take(const float *numbers, long room, long emitted, Photons *photons);
-// How many have a place or a power that is no number, or a power below 0.
-long photons_count_odd(const Photons *photons);
-// Fills both sides, which are zeroed. Places, ways and spreads are centred at what both have on average, so that a sum over a
+// Fills both tallies, which are zeroed. Places, ways and spreads are centred at what both have on average, so that a sum over a
 // batch tells of where its photons are, not of how many there are.
-void cells_fill(const Photons photons[2], Side *sides[2]);
+void cells_fill(const ScatterPhotons *const photons[2], Tally *tallies[2]);
 ScatterCell cell_describe(int cell);
 
 #endif

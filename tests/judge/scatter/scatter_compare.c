@@ -3,8 +3,6 @@
 #include "judge/scatter/scatter_cells.h"
 #include "judge/checks/statistics.h"
 
-#include "judge/probe/probe_scatter.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,25 +38,25 @@ static void test_hits(Judge *judge, int c, const Cell *a, const Cell *b)
 }
 
 // Welch's test over the batches.
-static void test_sums(Judge *judge, int c, const Cell *a, const Cell *b, int k, ScatterStat stat, int axis)
+static void test_sums(Judge *judge, int c, const Cell *a, const Cell *b, size_t k, ScatterStat stat, int axis)
 {
     Sums yours = {0}, reference = {0};
     double largest = 0.0;
     for (int i = 0; i < BATCHES; i++) {
-        sums_add(&yours, a->batch[i][k]);
-        sums_add(&reference, b->batch[i][k]);
-        largest = fmax(largest, fmax(fabs(a->batch[i][k]), fabs(b->batch[i][k])));
+        sums_add(&yours, a->batch[i].all[k]);
+        sums_add(&reference, b->batch[i].all[k]);
+        largest = fmax(largest, fmax(fabs(a->batch[i].all[k]), fabs(b->batch[i].all[k])));
     }
     double u = sums_error(&yours), v = sums_error(&reference), u2 = u * u, v2 = v * v;
     double difference = sums_mean(&yours) - sums_mean(&reference), error = sqrt(u2 + v2);
     if (error <= 1e-5 * largest) { // the same in every photon, as far as floats go
         if (fabs(difference) > 1e-3 * largest)
-            found(judge, c, stat, axis, a->mean[k], b->mean[k], 1e3, 0.0);
+            found(judge, c, stat, axis, a->mean.all[k], b->mean.all[k], 1e3, 0.0);
         return;
     }
     double freedom = (u2 + v2) * (u2 + v2) / ((u2 * u2 + v2 * v2) / (BATCHES - 1));
     bool total = stat == SCATTER_COUNT || stat == SCATTER_FLUX;
-    found(judge, c, stat, axis, a->mean[k] * (total ? a->count : 1.0), b->mean[k] * (total ? b->count : 1.0),
+    found(judge, c, stat, axis, a->mean.all[k] * (total ? a->count : 1.0), b->mean.all[k] * (total ? b->count : 1.0),
           difference / error, student_p(difference / error, freedom));
 }
 
@@ -67,17 +65,17 @@ static void test_cell(Judge *judge, int c, const Cell *a, const Cell *b)
     test_hits(judge, c, a, b);
     if (a->hits < FEWEST_HITS || b->hits < FEWEST_HITS)
         return;
-    test_sums(judge, c, a, b, COUNT, SCATTER_COUNT, 0);
+    test_sums(judge, c, a, b, MEASURE(count), SCATTER_COUNT, 0);
     for (int k = 0; k < 3; k++) {
-        test_sums(judge, c, a, b, FLUX + k, SCATTER_FLUX, k);
-        test_sums(judge, c, a, b, PLACE + k, SCATTER_PLACE, k);
-        test_sums(judge, c, a, b, WAY + k, SCATTER_WAY, k);
-        test_sums(judge, c, a, b, SPREAD + k, SCATTER_SPREAD, k);
+        test_sums(judge, c, a, b, MEASURE(flux[0]) + (size_t)k, SCATTER_FLUX, k);
+        test_sums(judge, c, a, b, MEASURE(place[0]) + (size_t)k, SCATTER_PLACE, k);
+        test_sums(judge, c, a, b, MEASURE(way[0]) + (size_t)k, SCATTER_WAY, k);
+        test_sums(judge, c, a, b, MEASURE(spread[0]) + (size_t)k, SCATTER_SPREAD, k);
     }
 }
 
 // A cell that holds all of its surface's photons tells nothing new.
-static bool is_repeated(const Side *a, const Side *b, int c)
+static bool is_repeated(const Tally *a, const Tally *b, int c)
 {
     ScatterCell cell = cell_describe(c);
     if (cell.material < 0 || (cell.path < 0 && cell.colour < 0))
@@ -86,50 +84,56 @@ static bool is_repeated(const Side *a, const Side *b, int c)
     return a->cells[c].count == a->cells[parent].count && b->cells[c].count == b->cells[parent].count;
 }
 
-static void test_all(Judge *judge, const Photons photons[2], Side *sides[2])
+// How many have a place or a power that is no number, or a power below 0.
+static long count_odd(const ScatterPhotons *photons)
 {
-    cells_fill(photons, sides);
-    for (int c = 0; c < CELLS; c++)
-        if (!is_repeated(sides[0], sides[1], c))
-            test_cell(judge, c, &sides[0]->cells[c], &sides[1]->cells[c]);
+    long odd = 0;
+    for (long i = 0; i < photons->count; i++) {
+        const PhotonNumbers *p = &photons->items[i];
+        bool good = true;
+        for (int k = 0; k < 3; k++)
+            good = good && fabsf(p->position[k]) < 1e6f && isfinite(p->from[k]) && p->power[k] >= 0.0f &&
+                   p->power[k] < 1e12f;
+        odd += !good;
+    }
+    return odd;
 }
 
 // What no right code does.
-static bool find_certain(const float *yours, const Photons *photons, const float *reference, long room,
-                         ScatterFinding *finding)
+static bool find_certain(const ScatterPhotons *yours, const ScatterPhotons *reference, ScatterFinding *finding)
 {
-    long odd = photons_count_odd(photons);
+    const PhotonNumbersHead *head = &yours->head;
+    long odd = count_odd(yours);
     finding->certain = true;
     if (odd > 0)
         snprintf(finding->message, sizeof finding->message,
-                 "%ld of %ld photons have a place or a power that is no sensible number", odd, photons->count);
-    else if (yours[SCATTER_UNSOUND] > 0.0f)
+                 "%ld of %ld photons have a place or a power that is no sensible number", odd, yours->count);
+    else if (head->unsound > 0.0f)
         snprintf(finding->message, sizeof finding->message, "%.0f photons fly in a direction that is not of length 1",
-                 (double)yours[SCATTER_UNSOUND]);
-    else if (yours[SCATTER_STORED] > (float)room)
+                 (double)head->unsound);
+    else if (head->stored > (float)SCATTER_MOST)
         snprintf(finding->message, sizeof finding->message,
-                 "%.0f photons come to rest of %ld emitted; about %.0f are right", (double)yours[SCATTER_STORED],
-                 photons->emitted, (double)reference[SCATTER_STORED]);
+                 "%.0f photons come to rest of %.0f emitted; about %.0f are right", (double)head->stored,
+                 (double)head->emitted, (double)reference->head.stored);
     else
         finding->certain = false;
     return finding->certain;
 }
 
-bool scatter_compare(const float *yours, const float *reference, long room, long emitted, const ScatterNames *names,
+void scatter_compare(const ScatterPhotons *yours, const ScatterPhotons *reference, const ScatterNames *names,
                      ScatterFinding *finding)
 {
-    Photons photons[2];
     *finding = (ScatterFinding){.p = 1.0};
-    if (!photons_take(yours, room, emitted, &photons[0]) || !photons_take(reference, room, emitted, &photons[1]))
-        return false;
-    if (find_certain(yours, &photons[0], reference, room, finding))
-        return true;
+    if (find_certain(yours, reference, finding))
+        return;
     Judge judge = {finding, names};
-    Side *sides[2] = {calloc(1, sizeof **sides), calloc(1, sizeof **sides)};
-    if (!sides[0] || !sides[1])
+    Tally *tallies[2] = {calloc(1, sizeof **tallies), calloc(1, sizeof **tallies)};
+    if (!tallies[0] || !tallies[1])
         exit(3);
-    test_all(&judge, photons, sides);
-    free(sides[0]);
-    free(sides[1]);
-    return true;
+    cells_fill((const ScatterPhotons *const[]){yours, reference}, tallies);
+    for (int c = 0; c < CELLS; c++)
+        if (!is_repeated(tallies[0], tallies[1], c))
+            test_cell(&judge, c, &tallies[0]->cells[c], &tallies[1]->cells[c]);
+    free(tallies[0]);
+    free(tallies[1]);
 }

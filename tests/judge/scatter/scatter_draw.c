@@ -2,9 +2,6 @@
 // reads photons from files and runs nobody's code.
 #define _GNU_SOURCE // for signals of a child
 #include "judge/scatter/scatter.h"
-#include "base/file.h"
-
-#include "judge/probe/probe_scatter.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -18,19 +15,6 @@
 #include <unistd.h>
 
 #define PATIENCE 20.0 // s
-
-static bool write_photons(const float *numbers, const char *path, Error *error)
-{
-    FileWriter writer;
-    if (!file_write_begin(&writer, path, error))
-        return false;
-    double stored = (double)numbers[SCATTER_STORED];
-    size_t count = stored < (double)SCATTER_ROOM ? (size_t)stored : (size_t)SCATTER_ROOM;
-    fputs(SCATTER_MAGIC, writer.stream);
-    size_t all = SCATTER_HEAD + count * SCATTER_NUMBERS;
-    bool ok = fwrite(numbers, sizeof *numbers, all, writer.stream) == all;
-    return file_write_end(&writer, ok, error) && ok;
-}
 
 static void wait_for(pid_t child, int *status)
 {
@@ -75,6 +59,11 @@ static bool run_preview(char *const *words, Error *error)
     return error_set(error, "%.*s", (int)strcspn(said, "\n"), *said ? said : "the preview could not be run");
 }
 
+static bool write_photons(const ScatterPhotons *photons, const char *path, Error *error)
+{
+    return photon_numbers_write(path, &photons->head, photons->items, (size_t)photons->count, error);
+}
+
 static bool draw(const GradeOptions *options, const char *directory, StageResult *result, Error *error)
 {
     char program[4200], scene[4200], yours[4200], reference[4200], picture[4200];
@@ -85,7 +74,7 @@ static bool draw(const GradeOptions *options, const char *directory, StageResult
     snprintf(reference, sizeof reference, "%s/scatter_%d/reference.photons", options->work, result->stage);
     snprintf(picture, sizeof picture, "%s/pictures/scatter_%d.png", directory, result->stage);
     unlink(picture);
-    if (!write_photons(result->yours, yours, error) || !write_photons(result->reference, reference, error))
+    if (!write_photons(&result->yours, yours, error) || !write_photons(&result->reference, reference, error))
         return false;
     const char *const words[] = {program,   "preview",  scene,         "--photons-file", yours,      "--reference-file",
                                  reference, "--colour", stage->colour, "--size",         "1200x600", "--snapshot",
@@ -98,7 +87,7 @@ static bool draw(const GradeOptions *options, const char *directory, StageResult
 void scatter_draw(const GradeOptions *options, const char *directory, StageResult *result)
 {
     Error error = {""};
-    if (!result->yours || !result->reference)
+    if (!result->yours.numbers || !result->reference.numbers)
         return;
     if (draw(options, directory, result, &error))
         snprintf(result->picture, sizeof result->picture, "pictures/scatter_%d.png", result->stage);
