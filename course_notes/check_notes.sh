@@ -90,6 +90,8 @@ check_steps() {
         chapter=${target%%.html*} anchor=${target#*#}
         awk -F '\t' -v c="$chapter" -v a="$anchor" '$1 == c && $2 == "file" && $4 == a { print $3 }' "$work/facts" | grep -qxF "$file" ||
             echo "$id: section $target does not name $file" >>"$work/wrong"
+        grep -q "^| ${id/./\\.} |.*($target)" course_notes/index.md ||
+            echo "$id: course_notes/index.md has no row that leads to $target" >>"$work/wrong"
         awk -F '\t' -v c="$chapter" -v a="$anchor" '$1 == c && $2 == "formula" && $4 == a { print $3 "\t" $5 }' "$work/facts" >"$work/tex"
         grep -q '^display' "$work/tex" || echo "$id: section $target has no formula on a line of its own" >>"$work/wrong"
         check_letters "$id" "$work/tex" >>"$work/strange"
@@ -109,7 +111,7 @@ check_figures() {
     local name
     awk -F '\t' 'function number(name) { sub(/_.*/, "", name); return name }
         $2 == "figure" { where = $1 ": " ($4 == "" ? "a figure without file=" : $4)
-        if ($4 == "" || $4 !~ /^[0-9][a-z]?_[a-zA-Z0-9_]*\.(png|svg|txt)$/ || number($4) != number($1)) print where ": a strange name"
+        if ($4 == "" || $4 !~ /^[0-9a-z]+_[a-zA-Z0-9_]*\.(png|svg|txt)$/ || number($4) != number($1)) print where ": a strange name"
         if (seen[$4]++) print where ": made twice"
         if ($8 == "") print where ": no command"
         if ($3 == "figure" && length($6) < 12) print where ": alt= does not say what is seen"
@@ -159,8 +161,8 @@ check_numbers() {
 # no tile shows.
 check_gallery() {
     local name
-    [ -d tests/mistakes ] && [ -s $figures/5_seen.txt ] && [ -f course_notes/5_what_did_i_break.md ] || return
-    for name in tests/mistakes/[1-9].*/; do
+    [ -d tests/mistakes ] && [ -s $figures/gallery_seen.txt ] && [ -f course_notes/gallery.md ] || return
+    for name in tests/mistakes/[1-9]*.*/; do
         name=$(basename "$name")
         printf '%s\t%s\n' "$name" "$(head -1 "tests/mistakes/$name/text")"
     done >"$work/known"
@@ -170,24 +172,24 @@ check_gallery() {
         /^::: *\{\.tile/ { id = $0; sub(/.*#/, "", id); sub(/}.*/, "", id); words = ""; next }
         /^:::$/ { if (id ~ /^m-/) print "tile", id, words; id = ""; next }
         { words = words " " $0 }
-        /^\| [1-9]\.[1-9] \|/ { split($0, cell, / *\| */); print "unseen", cell[2], cell[3] }' \
-        course_notes/5_what_did_i_break.md | tr -s ' ' >"$work/gallery"
+        /^\| [1-9][0-9]*\.[1-9][0-9]* \|/ { split($0, cell, / *\| */); print "unseen", cell[2], cell[3] }' \
+        course_notes/gallery.md | tr -s ' ' >"$work/gallery"
     awk -F '\t' '
         function id_of(m) { gsub(/[._]/, "-", m); return "m-" m }
         FILENAME ~ /known$/ { known[$1] = $2; next }
         FILENAME ~ /gallery$/ { if ($1 == "tile") { tile[$2] = $3; if (++count[$2] > 1) print "tile #" $2 ": twice" }
                                 else row[$2 ": " $3]++; next }
         split($0, word, " ") >= 7 { seen[word[1]] = word[6]; picture[word[1]] = word[7] }
-        END { for (m in known) if (!(m in seen)) print m ": 5_seen.txt does not know it; `make figures CHAPTER=5` plays it"
+        END { for (m in known) if (!(m in seen)) print m ": gallery_seen.txt does not know it; `make figures CHAPTER=gallery` plays it"
                   else if (seen[m] == "yes") { id = id_of(picture[m]); wanted_tile[id] = 1
                       if (!index(tile[id], known[m])) print m ": tile #" id " does not say \"" known[m] "\"" }
-                  else wanted[substr(m, 1, 3) ": " known[m]]++
-              for (m in seen) if (!(m in known)) print m ": in 5_seen.txt, but no known mistake"
+                  else { id = m; sub(/_.*/, "", id); wanted[id ": " known[m]]++ }
+              for (m in seen) if (!(m in known)) print m ": in gallery_seen.txt, but no known mistake"
               for (id in tile) if (!(id in wanted_tile)) print "tile #" id ": no known mistake that a picture shows"
               for (line in wanted) if (row[line] != wanted[line])
                   print line ": " row[line] + 0 " times in the list of those that no tile shows, not " wanted[line]
               for (line in row) if (!(line in wanted)) print line ": listed as shown by no tile, but is none of these" }' \
-        "$work/known" "$work/gallery" $figures/5_seen.txt | sort >"$work/wrong"
+        "$work/known" "$work/gallery" $figures/gallery_seen.txt | sort >"$work/wrong"
     verdict "$(wc -l <"$work/known") known mistakes stand in the gallery" "$work/wrong"
 }
 

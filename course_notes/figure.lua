@@ -214,7 +214,7 @@ local one_document = {
     Header = function(header)
         header.identifier = header.level == 1 and page or page .. "--" .. header.identifier
         -- A heading of the gallery stays with its first tiles: where they would not fit, the page ends.
-        local room = page:match("^5_") and header.level == 2
+        local room = page == "gallery" and header.level == 2
         return room and { pandoc.RawBlock("latex", "\\room{9cm}"), header } or header
     end,
     Link = function(link)

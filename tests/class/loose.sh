@@ -5,7 +5,7 @@ rm -rf "$loose"
 mkdir -p "$loose" || exit 2
 declare -A sorted=()
 # Then numbers and other words of the course system's, then the file's own name.
-step_name='[1-9]\.[1-9]_[a-z_]*'
+step_name='[1-9][0-9]*\.[1-9][0-9]*_[a-z_]*'
 
 is_sorted() { [ -n "${sorted[${1##*/}]:-}" ] && [ "${1%/*}" = "$directory" ]; }
 

@@ -71,7 +71,7 @@ check_submit() {
     (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_FORCE=1 bash tests/class/submit.sh) >"$work/said" 2>&1
     archive=$(ls "$tree"/build/submit/*.tar.gz)
     says "$(find "$root/exercises/.stubs" -name '*.c' | wc -l) files, 2 steps started" "$work/said" "submit: FORCE=1 takes it, and counts"
-    check "$(tar -tzf "$archive" | grep -cvE '^exercises/[1-9]_[a-z_]*/[1-9]\.[1-9]_[a-z_]*\.c$') == 0" \
+    check "$(tar -tzf "$archive" | grep -cvE '^exercises/[1-9]_[a-z_]*/[1-9]\.[1-9][0-9]*_[a-z_]*\.c$') == 0" \
         "submit: nothing but C files in it"
     cp "$archive" "$work/first" && sleep 1 && touch "$tree"/exercises/*/*.c
     (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_FORCE=1 bash tests/class/submit.sh) >/dev/null 2>&1

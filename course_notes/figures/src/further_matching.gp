@@ -1,7 +1,7 @@
 # CIE 1931 colour matching functions, and the linear sRGB that a single wavelength would need.
 set terminal svg size 640,520 dynamic font "sans-serif,14" background "white"
-set output system('printf %s "$FIGURES"') . "/4_matching.svg"
-data = system('printf %s "$BUILD"') . "/figures/4_matching.dat"
+set output system('printf %s "$FIGURES"') . "/further_matching.svg"
+data = system('printf %s "$BUILD"') . "/figures/further_matching.dat"
 set multiplot layout 2,1
 set xrange [380:720]
 set lmargin 8

@@ -1,7 +1,7 @@
 # Progressive photon mapping at one point: the radius, and the error of the mean over the passes.
 set terminal svg size 640,620 dynamic font "sans-serif,14" background "white"
-set output system('printf %s "$FIGURES"') . "/4_progressive.svg"
-data = system('printf %s "$BUILD"') . "/figures/4_progressive.dat"
+set output system('printf %s "$FIGURES"') . "/further_progressive.svg"
+data = system('printf %s "$BUILD"') . "/figures/further_progressive.dat"
 set multiplot layout 2,1
 set logscale xy
 set xrange [1:10000]

@@ -1,19 +1,19 @@
 #!/bin/sh
 # The gallery of wrong pictures: plays every known mistake of tests/mistakes/ and measures whether a picture shows it.
 #
-# Usage: [BUILD=build] [FIGURES=course_notes/figures] sh course_notes/figures/src/5_gallery.sh [STEP …]
+# Usage: [BUILD=build] [FIGURES=course_notes/figures] sh course_notes/figures/src/gallery_play.sh [STEP …]
 #
 # Run from the checkout's root, after `make all meshes`. Without a STEP: all. Writes to FIGURES:
-#   5_MISTAKE.png         the picture with this mistake (mistakes whose pictures cannot be told apart share one)
-#   5_right_SCENE.png     the same without a mistake
-#   5_seen.txt            all steps only: `MISTAKE SCENE EVERYWHERE SOMEWHERE LEVEL SEEN PICTURE` for each mistake, then sums
-# EVERYWHERE and SOMEWHERE tell how far the picture is from the right one, in units of noise (5_patches.awk); they are measured
+#   gallery_MISTAKE.png         the picture with this mistake (mistakes whose pictures cannot be told apart share one)
+#   gallery_right_SCENE.png     the same without a mistake
+#   gallery_seen.txt            all steps only: `MISTAKE SCENE EVERYWHERE SOMEWHERE LEVEL SEEN PICTURE` for each mistake, then sums
+# EVERYWHERE and SOMEWHERE tell how far the picture is from the right one, in units of noise (gallery_patches.awk); they are measured
 # on pictures of few pixels and many samples, as an eye does that looks from afar. 1 is noise; from SEEN_FROM on it is seen.
 set -u
 LC_ALL=C
 export LC_ALL BUILD="${BUILD:-build}" FIGURES="${FIGURES:-course_notes/figures}"
 work=$BUILD/gallery
-self=course_notes/figures/src/5_gallery.sh
+self=course_notes/figures/src/gallery_play.sh
 SEEN_FROM=2 # times the noise
 PLAIN_FROM=5
 SEEDS="11 12 13 14 15 16" # of the right pictures that tell the noise
@@ -75,7 +75,7 @@ values() {
 
 # distance PICTURE RIGHT [OTHER]: EVERYWHERE SOMEWHERE LEVEL, from the right picture or, with its noise, from the other
 distance() {
-    { cat "$2" ${3:+"$3"}; values "$1"; } | awk -v rights="$(wc -l <"$2")" -v other="${3:+1}" -f course_notes/figures/src/5_patches.awk
+    { cat "$2" ${3:+"$3"}; values "$1"; } | awk -v rights="$(wc -l <"$2")" -v other="${3:+1}" -f course_notes/figures/src/gallery_patches.awk
 }
 
 # The right pictures of one scene: RIGHT.png to look at, RIGHT.values to measure with.
@@ -145,7 +145,7 @@ twin_of() {
 
 # figure_of NAME: its file; only letters, digits and underscores
 figure_of() {
-    echo "5_$(echo "$1" | tr . _).png"
+    echo "gallery_$(echo "$1" | tr . _).png"
 }
 
 # The table's line of a mistake; its picture to FIGURES when it is the first of its kind.
@@ -182,7 +182,7 @@ gallery() {
     mkdir -p "$work" "$FIGURES"
     : >"$work/shown"
     for step in "$@"; do
-        rm -f "$FIGURES/5_${step%.*}_${step#*.}_"*.png
+        rm -f "$FIGURES/gallery_${step%.*}_${step#*.}_"*.png
         for scene in $(scenes_of "$step"); do echo "right $(right_of "$step" "$scene") $step:$scene"; done
     done | sort -u -k 2,2 | xargs -P "$jobs" -L 1 sh $self --play
     mistakes_of "$@" | sed 's/^/mistake - /' | xargs -P "$jobs" -L 1 sh $self --play
@@ -199,7 +199,7 @@ case ${1:-} in
     ;;
 '')
     # shellcheck disable=SC2046 # ids are words
-    gallery $(ls solutions/*/ | sed -n 's/^\([0-9]*\.[0-9]*\)_.*\.c$/\1/p' | sort) && cp "$work/seen.txt" "$FIGURES/5_seen.txt"
+    gallery $(ls solutions/*/ | sed -n 's/^\([0-9]*\.[0-9]*\)_.*\.c$/\1/p' | sort) && cp "$work/seen.txt" "$FIGURES/gallery_seen.txt"
     ;;
 *)
     gallery "$@" && cat "$work/seen.txt"

@@ -1,5 +1,5 @@
 // Progressive photon mapping at one point (Knaus & Zwicker 2011): passes whose radius shrinks are averaged.
-//   4_progressive DATA NUMBERS
+//   further_progressive DATA NUMBERS
 // The photons lie on a disk of radius 1 m about the point, where the irradiance is 1 + s² at distance s: the truth in
 // the middle is 1, and an estimate with radius r sees 1 + r²/2. Repeated with many seeds; DATA: passes, then for each
 // alpha the radius by its first value, and the rms error.
@@ -64,7 +64,7 @@ int main(int count, char **arguments)
 {
     FILE *data = count == 3 ? fopen(arguments[1], "w") : NULL, *numbers = count == 3 ? fopen(arguments[2], "w") : NULL;
     if (!data || !numbers)
-        return fprintf(stderr, "usage: 4_progressive DATA NUMBERS, both writable\n"), 2;
+        return fprintf(stderr, "usage: further_progressive DATA NUMBERS, both writable\n"), 2;
     int marks[MARKS], mark_count = list_marks(marks);
     static double squares[ALPHAS][MARKS];
     for (int a = 0; a < ALPHAS; a++)

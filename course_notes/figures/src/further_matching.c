@@ -1,5 +1,5 @@
 // CIE 1931 colour matching functions against wavelength in nm, and the linear sRGB that each wavelength would need.
-//   4_matching DATA NUMBERS
+//   further_matching DATA NUMBERS
 #include "3_matching.h"
 
 #include <stdio.h>
@@ -8,7 +8,7 @@ int main(int count, char **arguments)
 {
     FILE *data = count == 3 ? fopen(arguments[1], "w") : NULL, *numbers = count == 3 ? fopen(arguments[2], "w") : NULL;
     if (!data || !numbers)
-        return fprintf(stderr, "usage: 4_matching DATA NUMBERS, both writable\n"), 2;
+        return fprintf(stderr, "usage: further_matching DATA NUMBERS, both writable\n"), 2;
     double sum[3] = {0, 0, 0};
     for (int nm = 360; nm <= 830; nm++) {
         double xyz[3], rgb[3];
