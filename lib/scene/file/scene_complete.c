@@ -67,14 +67,15 @@ static void list_keys(char *text, size_t size, const SceneKey *keys, bool requir
             used += (size_t)snprintf(text + used, size - used, "%s%s", used ? " " : "", keys->name);
 }
 
-static bool missing_fault(const SceneEntry *entry, const char *path, const SceneValue *value, bool of_type)
+// `of_type`: the row is its type's, not one that all types have.
+static bool missing_fault(const SceneEntry *entry, const char *path, const char *key, bool of_type)
 {
     char keys[400] = "";
     if (!of_type)
-        return scene_fault_at(entry->source, entry->place, "%s has no '%s'; expected this key", path, value->key->name);
+        return scene_fault_at(entry->source, entry->place, "%s has no '%s'; expected this key", path, key);
     list_keys(keys, sizeof keys, entry->type->keys, true);
     return scene_fault_at(entry->source, entry->place, "this %s has no '%s'; expected the keys: %s",
-                          entry->type->called, value->key->name, keys);
+                          entry->type->called, key, keys);
 }
 
 static bool foreign_fault(const SceneEntry *entry, const SceneValue *value)
@@ -94,55 +95,44 @@ static size_t count_keys(const SceneKey *keys)
     return count;
 }
 
-static void take_values(const SceneKey *keys, SceneValue *read, size_t read_count, SceneEntry *entry)
+// Moves the value of a row out of `read`, if it is there.
+static void take_value(const SceneKey *key, SceneValue *read, size_t count, SceneValue *value)
 {
-    for (; keys->name; keys++) {
-        SceneValue *value = &entry->values[entry->value_count++];
-        for (size_t i = 0; i < read_count; i++)
-            if (read[i].given && strcmp(read[i].key->name, keys->name) == 0) {
-                *value = read[i];
-                read[i] = (SceneValue){.given = false};
-            }
-        value->key = keys;
-    }
-}
-
-// A section without types has one.
-static bool set_type(const SceneSection *section, const char *path, const SceneValue *read, size_t read_count,
-                     SceneEntry *entry)
-{
-    bool has_types = false;
-    for (const SceneKey *key = section->keys; key->name; key++)
-        has_types = has_types || key->kind == KEY_TYPE;
-    for (size_t i = 0; i < read_count; i++)
-        if (read[i].given && read[i].key->kind == KEY_TYPE) {
-            entry->type_number = (size_t)read[i].number[0];
-            has_types = false;
+    for (size_t i = 0; i < count; i++)
+        if (read[i].given && strcmp(read[i].key->name, key->name) == 0) {
+            *value = read[i];
+            read[i].given = false;
+            read[i].word = NULL;
         }
-    entry->type = section->type_at(entry->type_number);
-    return !has_types || scene_fault_at(entry->source, entry->place, "%s has no 'type'; expected this key", path);
+    value->key = key;
 }
 
-bool scene_complete_entry(const SceneSection *section, const char *path, SceneValue *read, size_t read_count,
+bool scene_complete_entry(const SceneSection *section, const char *path, SceneValue *read, size_t count,
                           SceneEntry *entry)
 {
-    if (!set_type(section, path, read, read_count, entry))
-        return false;
-    size_t common = count_keys(section->keys);
-    entry->values = calloc(common + count_keys(entry->type->keys), sizeof *entry->values);
+    entry->type = section->most ? NULL : section->type_at(0);
+    for (size_t i = 0; i < count; i++)
+        if (read[i].key->kind == KEY_TYPE) {
+            entry->type_number = (size_t)read[i].number[0];
+            entry->type = section->type_at(entry->type_number);
+        }
+    if (!entry->type)
+        return missing_fault(entry, path, "type", false);
+    size_t common = count_keys(section->keys), rows = common + count_keys(entry->type->keys);
+    entry->values = calloc(rows, sizeof *entry->values);
     if (!entry->values)
         return scene_memory_fault(entry);
-    take_values(section->keys, read, read_count, entry);
-    take_values(entry->type->keys, read, read_count, entry);
-    for (size_t i = 0; i < read_count; i++)
-        if (read[i].given)
-            return foreign_fault(entry, &read[i]);
-    for (size_t i = 0; i < entry->value_count; i++) {
+    while (entry->value_count < rows) {
+        size_t i = entry->value_count++;
         SceneValue *value = &entry->values[i];
+        take_value(i < common ? &section->keys[i] : &entry->type->keys[i - common], read, count, value);
         if (!value->given && value->key->otherwise == KEY_REQUIRED)
-            return missing_fault(entry, path, value, i >= common && entry->type->called);
+            return missing_fault(entry, path, value->key->name, i >= common && section->most);
         if (!(value->given ? check_value(entry, path, value) : set_otherwise(entry, value)))
             return false;
     }
+    for (size_t i = 0; i < count; i++)
+        if (read[i].given)
+            return foreign_fault(entry, &read[i]);
     return true;
 }

@@ -8,16 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The rows of a section, by their names.
-typedef struct {
-    const SceneKey *row[MOST_SECTION_KEYS];
-    size_t count;
-} Rows;
-
-static const char *row_name(const void *rows, size_t i)
+// Names for "did you mean": each once, though several types have a row of that name.
+static const char *key_name(const void *section, size_t i)
 {
-    const Rows *known = rows;
-    return i < known->count ? known->row[i]->name : NULL;
+    const SceneKey *key, *other;
+    for (size_t k = 0; (key = scene_key_at(section, k)); k++) {
+        size_t first = 0;
+        while ((other = scene_key_at(section, first)) && strcmp(other->name, key->name) != 0)
+            first++;
+        if (first == k && i-- == 0)
+            return key->name;
+    }
+    return NULL;
 }
 
 static const char *section_name(const void *unused, size_t i)
@@ -26,26 +28,24 @@ static const char *section_name(const void *unused, size_t i)
     return i < SCENE_SECTIONS ? scene_sections[i]->name : NULL;
 }
 
-#define MAPPING_END SIZE_MAX
-
-// To the next key of a mapping: which of the names it is, or MAPPING_END.
-static bool next_key(SceneWalk *walk, TextNameAt name_at, const void *names, size_t *which)
+// To the next key of a mapping: its name, or NULL at the end. False at a fault.
+static bool next_key(SceneWalk *walk, const char **key)
 {
-    *which = MAPPING_END;
+    *key = NULL;
     if (!walk_next(walk))
         return false;
     if (walk->event.type == YAML_MAPPING_END_EVENT)
         return true;
     if (walk->event.type != YAML_SCALAR_EVENT)
         return scene_fault_at(walk->source, walk_place(walk), "a key must be a word; expected key: value");
-    const char *key = (const char *)walk->event.data.scalar.value, *name;
-    for (size_t i = 0; (name = name_at(names, i)); i++) {
-        *which = i;
-        if (strcmp(name, key) == 0)
-            return true;
-    }
+    *key = (const char *)walk->event.data.scalar.value;
+    return true;
+}
+
+static bool unknown_fault(const SceneWalk *walk, const char *key, TextNameAt name_at)
+{
     char suggestion[300];
-    text_suggest(suggestion, sizeof suggestion, key, name_at, names);
+    text_suggest(suggestion, sizeof suggestion, key, name_at, walk->section);
     return scene_fault_at(walk->source, walk_place(walk), "unknown key '%.50s'; %s", key, suggestion);
 }
 
@@ -54,35 +54,38 @@ static bool twice_fault(const SceneWalk *walk, const char *key)
     return scene_fault_at(walk->source, walk_place(walk), "the key '%s' stands here twice; expected it once", key);
 }
 
-// The keys and values of an entry; read[i] is that of row i.
-static bool read_values(SceneWalk *walk, const Rows *rows, SceneValue *read)
+// The value of a key; `read` holds those of the entry's keys above it.
+static bool read_pair(SceneWalk *walk, const char *key, SceneValue *read, size_t count)
 {
-    size_t which;
-    if (walk->event.type != YAML_MAPPING_START_EVENT)
-        return walk_kind_fault(walk, "keys with values (key: value)");
-    while (next_key(walk, row_name, rows, &which)) {
-        if (which == MAPPING_END)
-            return true;
-        SceneValue *value = &read[which];
-        if (value->given)
-            return twice_fault(walk, value->key->name);
-        walk->key = rows->row[which]->name;
-        if (!walk_next(walk))
-            return false;
-        *value = (SceneValue){.key = rows->row[which], .given = true, .place = walk_place(walk)};
-        if (!walk_read_value(walk, value))
-            return false;
-        walk->key = NULL;
-    }
-    return false;
+    SceneValue *value = &read[count];
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(read[i].key->name, key) == 0)
+            return twice_fault(walk, key);
+    for (size_t i = 0; (value->key = scene_key_at(walk->section, i)); i++)
+        if (strcmp(value->key->name, key) == 0)
+            break;
+    if (!value->key || count == MOST_SECTION_KEYS)
+        return unknown_fault(walk, key, key_name);
+    walk->key = value->key->name;
+    if (!walk_next(walk))
+        return false;
+    value->given = true;
+    value->place = walk_place(walk);
+    bool fine = walk_read_value(walk, value);
+    walk->key = NULL;
+    return fine;
 }
 
-static bool read_entry(SceneWalk *walk, const Rows *rows, SceneEntry *entry)
+static bool read_entry(SceneWalk *walk, SceneEntry *entry)
 {
-    SceneValue read[MOST_SECTION_KEYS] = {{.given = false}};
-    bool fine = read_values(walk, rows, read) &&
-                scene_complete_entry(walk->section, walk_path(walk).text, read, rows->count, entry);
-    for (size_t i = 0; i < rows->count; i++)
+    SceneValue read[MOST_SECTION_KEYS + 1] = {{.given = false}};
+    size_t count = 0;
+    const char *key = NULL;
+    bool fine = walk->event.type == YAML_MAPPING_START_EVENT || walk_kind_fault(walk, "keys with values (key: value)");
+    while (fine && (fine = next_key(walk, &key)) && key)
+        fine = read_pair(walk, key, read, count++);
+    fine = fine && scene_complete_entry(walk->section, walk_path(walk).text, read, count, entry);
+    for (size_t i = 0; i < count; i++)
         free(read[i].word);
     return fine;
 }
@@ -99,7 +102,7 @@ static SceneEntry *add_entry(const SceneWalk *walk, SceneList *list, ScenePlace 
     return &entries[list->count++];
 }
 
-static bool read_list(SceneWalk *walk, const Rows *rows, SceneList *list)
+static bool read_list(SceneWalk *walk, SceneList *list)
 {
     if (walk->event.type != YAML_SEQUENCE_START_EVENT)
         return walk_kind_fault(walk, "a list (one entry per '- ')");
@@ -112,7 +115,7 @@ static bool read_list(SceneWalk *walk, const Rows *rows, SceneList *list)
                                   walk->section->name, walk->section->most);
         walk->index = (int)list->count;
         SceneEntry *entry = add_entry(walk, list, walk_place(walk));
-        if (!entry || !read_entry(walk, rows, entry))
+        if (!entry || !read_entry(walk, entry))
             return false;
     }
     return false;
@@ -120,17 +123,15 @@ static bool read_list(SceneWalk *walk, const Rows *rows, SceneList *list)
 
 static bool read_section(SceneWalk *walk, const SceneSection *section, SceneList *list)
 {
-    Rows rows;
-    rows.count = scene_section_keys(section, rows.row);
     list->given = true;
     list->place = walk_place(walk);
     walk->section = section;
     bool fine;
     if (section->most)
-        fine = read_list(walk, &rows, list);
+        fine = read_list(walk, list);
     else {
         SceneEntry *entry = add_entry(walk, list, list->place);
-        fine = entry && read_entry(walk, &rows, entry);
+        fine = entry && read_entry(walk, entry);
     }
     walk->section = NULL;
     return fine;
@@ -153,18 +154,27 @@ static bool leave_out(const SceneWalk *walk, const SceneSection *section, SceneL
 
 static bool read_sections(SceneWalk *walk, SceneList lists[SCENE_SECTIONS])
 {
-    size_t which;
+    const char *key;
     if (walk->event.type != YAML_MAPPING_START_EVENT)
         return walk_kind_fault(walk, "keys with values (key: value)");
     for (int i = 0; i < SCENE_SECTIONS; i++)
         lists[i].place = walk_place(walk);
-    while (next_key(walk, section_name, NULL, &which) && which != MAPPING_END) {
-        if (lists[which].given)
-            return twice_fault(walk, scene_sections[which]->name);
-        if (!walk_next(walk) || !read_section(walk, scene_sections[which], &lists[which]))
+    for (;;) {
+        int i = 0;
+        if (!next_key(walk, &key))
+            return false;
+        if (!key)
+            break;
+        while (i < SCENE_SECTIONS && strcmp(scene_sections[i]->name, key) != 0)
+            i++;
+        if (i == SCENE_SECTIONS)
+            return unknown_fault(walk, key, section_name);
+        if (lists[i].given)
+            return twice_fault(walk, key);
+        if (!walk_next(walk) || !read_section(walk, scene_sections[i], &lists[i]))
             return false;
     }
-    bool fine = which == MAPPING_END;
+    bool fine = true;
     for (int i = 0; i < SCENE_SECTIONS && fine; i++)
         fine = lists[i].count || leave_out(walk, scene_sections[i], &lists[i]);
     return fine;

@@ -18,10 +18,9 @@ typedef struct {
 bool scene_read(const char *text, size_t size, const SceneSource *source, SceneList lists[SCENE_SECTIONS]);
 void scene_lists_free(SceneList lists[SCENE_SECTIONS]);
 
-// The second half of reading an entry, when its type is known: puts the values that were read into entry->values, by the
-// rows of the type, with what holds for those that were left out. `path` names the entry in messages. Values that it
-// keeps are taken out of `read`.
-bool scene_complete_entry(const SceneSection *section, const char *path, SceneValue *read, size_t read_count,
+// The second half of reading an entry: of the values that were read it makes entry->values, by the rows of its type, with
+// what holds for those that were left out. Takes out of `read` what it keeps. `path` names the entry in messages.
+bool scene_complete_entry(const SceneSection *section, const char *path, SceneValue *read, size_t count,
                           SceneEntry *entry);
 
 #endif

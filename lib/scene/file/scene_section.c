@@ -1,30 +1,19 @@
 #include "scene/file/scene_section.h"
 
 #include <stdio.h>
-#include <string.h>
 
 const SceneSection *const scene_sections[SCENE_SECTIONS] = {&camera_section, &render_section, &material_section,
                                                             &light_section, &shape_section};
 
-static size_t add_keys(const SceneKey *from, const SceneKey *keys[MOST_SECTION_KEYS], size_t count)
-{
-    for (; from->name; from++) {
-        size_t i = 0;
-        while (i < count && strcmp(keys[i]->name, from->name) != 0)
-            i++;
-        if (i == count && count < MOST_SECTION_KEYS)
-            keys[count++] = from;
-    }
-    return count;
-}
-
-size_t scene_section_keys(const SceneSection *section, const SceneKey *keys[MOST_SECTION_KEYS])
+const SceneKey *scene_key_at(const SceneSection *section, size_t i)
 {
     const SceneType *type;
-    size_t count = add_keys(section->keys, keys, 0);
-    for (size_t i = 0; (type = section->type_at(i)); i++)
-        count = add_keys(type->keys, keys, count);
-    return count;
+    const SceneKey *key = section->keys;
+    for (size_t t = 0; key; key = (type = section->type_at(t++)) ? type->keys : NULL)
+        for (; key->name; key++)
+            if (i-- == 0)
+                return key;
+    return NULL;
 }
 
 void scene_range_words(const SceneRange *range, char *text, size_t size)

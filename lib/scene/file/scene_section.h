@@ -21,7 +21,7 @@ typedef struct {
     size_t most;          // entries of a list; 0: the section is a single entry
     bool required;        // this entry, or at least one of the list
     const SceneKey *keys; // that entries of every type have
-    // Type number i, NULL past the last. A section without KEY_TYPE has one.
+    // Type number i, NULL past the last. A section that is no list has one.
     const SceneType *(*type_at)(size_t i);
     // Makes an entry a part of the scene, and refuses what only shows in combination.
     bool (*build)(SceneBuilder *builder, SceneEntry *entry);
@@ -31,9 +31,10 @@ enum { SCENE_SECTIONS = 5 };
 extern const SceneSection *const scene_sections[SCENE_SECTIONS]; // in the order in which they are built
 extern const SceneSection camera_section, render_section, material_section, light_section, shape_section;
 
-// The rows of a section, each name once; gives how many.
+// Row number i of a section, those of every type and then each type's own; NULL past the last.
+const SceneKey *scene_key_at(const SceneSection *section, size_t i);
+// Distinct names of keys that a section may have.
 #define MOST_SECTION_KEYS 64
-size_t scene_section_keys(const SceneSection *section, const SceneKey *keys[MOST_SECTION_KEYS]);
 
 // "low to high unit", or the range's own words.
 void scene_range_words(const SceneRange *range, char *text, size_t size);
