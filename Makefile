@@ -101,7 +101,7 @@ scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
 	$(Q)$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
 
 include tests/steps/exercises.mk tests/judge/judge.mk lib/preview/preview.mk
--include tests/class/class.mk tests/mistakes/grader.mk course_notes/notes.mk
+-include tests/scene_page/scene_page.mk tests/class/class.mk tests/mistakes/grader.mk course_notes/notes.mk
 
 # ---- what there is to do; `make help` prints the lines with two hashes ----
 
@@ -213,14 +213,15 @@ bench: all meshes
 READER  ?= scene
 SECONDS ?= 60
 FUZZ_FLAGS = -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
-fuzz:
+fuzz: $(SCENE_PAGE)
 	@test -f tests/fuzz/fuzz_$(READER).c || { echo "READER is scene, obj, png or pfm"; exit 1; }
 	@mkdir -p $(BUILD)/fuzz/corpus_$(READER)
 	clang $(STANDARD) -O1 -g -Ilib $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
 	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl || \
 	    { echo "Does clang lack its fuzzer? On Debian: apt-get install libclang-rt-$$(clang -dumpversion | cut -d. -f1)-dev"; exit 1; }
+	@cp tests/fuzz/*.dict $(BUILD)/fuzz/ && $(SCENE_PAGE) --words >>$(BUILD)/fuzz/scene.dict
 	$(BUILD)/fuzz/fuzz_$(READER) -max_total_time=$(SECONDS) -timeout=10 -max_len=4096 -print_final_stats=1 \
-	    $(patsubst %,-dict=%,$(wildcard tests/fuzz/$(READER).dict)) $(BUILD)/fuzz/corpus_$(READER)
+	    $(if $(filter scene obj,$(READER)),-dict=$(BUILD)/fuzz/$(READER).dict) $(BUILD)/fuzz/corpus_$(READER)
 
 ## compile_commands.json   for editors and language servers
 compile_commands.json: Makefile $(LIBRARY_SOURCES) $(PROGRAM_SOURCES) $(STEP_SOURCES) $(TEST_SOURCES)

@@ -89,8 +89,8 @@ static const SceneKey rectangle_keys[] = {
     {.name = NULL},
 };
 static const SceneKey box_keys[] = {
-    {"low", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the corner with the least x, y and z"},
-    {"high", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the corner with the largest"},
+    {"low", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "its least x, y and z"},
+    {"high", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "its largest"},
     MATERIAL_ROW,
     {"rotate_y", KEY_NUMBER, "0", RANGE_DEGREES,
      "turns the box about the upright line through its middle, counter-clockwise seen from above"},
@@ -124,20 +124,21 @@ typedef struct {
 } ShapeKind;
 
 static const ShapeKind kinds[] = {
-    {{"sphere", "sphere", "A sphere; its outside is out.", sphere_keys,
+    {{"sphere", "sphere", "A sphere.", sphere_keys,
       "{type: sphere, centre: [0.4, -0.65, 0.25], radius: 0.35, material: clear}"},
      build_sphere},
-    {{"rectangle", "rectangle", "A parallelogram.", rectangle_keys,
+    {{"rectangle", "rectangle", "A parallelogram: a corner, and the two sides that leave it.", rectangle_keys,
       "{type: rectangle, corner: [-1, -1, -1], edge_u: [0, 0, 2], edge_v: [2, 0, 0], material: white}"},
      build_rectangle},
-    {{"box", "box", "A box.", box_keys,
+    {{"box", "box", "A box, by its lowest and its highest corner.", box_keys,
       "{type: box, low: [0.1, -1, -0.2], high: [0.5, 0.2, 0.2], rotate_y: 18, material: white}"},
      build_box},
-    {{"prism", "prism", "A prism with three sides, two of them alike.", prism_keys,
+    {{"prism", "prism", "A prism over a triangle with two equal sides, which meet in its upper edge.", prism_keys,
       "{type: prism, apex: [0, 0.5, 0], axis: [0, 0, 1], down: [0, -1, 0], angle: 60, side: 0.4, length: 0.6, material: clear}"},
      build_prism},
-    {{"mesh", "mesh", "Triangles from a Wavefront OBJ file.", mesh_keys,
-      "{type: mesh, file: meshes/diamond.obj, material: clear, scale: 0.5, rotate: [0, 30, 0]}"},
+    {{"mesh", "mesh",
+      "Polygons from a Wavefront OBJ file. Their corner normals, if there are any, bend what mirrors and glass do.",
+      mesh_keys, "{type: mesh, file: meshes/diamond.obj, material: clear, scale: 0.5, rotate: [0, 30, 0]}"},
      scene_build_mesh},
 };
 
