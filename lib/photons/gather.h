@@ -9,8 +9,8 @@ typedef struct {
     size_t k;           // photons in an estimate
     float radius;       // none farther than this, m; INFINITY: k alone decides
     GlossyModel glossy; // the BRDF played at glossy surfaces
-    NearPhoton *near;   // PHOTON_MAP_NEAREST_ROOM(k) entries, this thread's own; gather_near fills the first of them
-    float reach;        // written by gather_near: the radius of its last estimate
+    NearPhoton *near; // PHOTON_MAP_NEAREST_CAPACITY(k) entries, this thread's own; gather_near fills the first of them
+    float reach;      // written by gather_near: the radius of its last estimate
 } Gather;
 
 // Finds the photons for an estimate at `point`: gather->near[0 … returned−1]. *radius is the distance to the k-th, or

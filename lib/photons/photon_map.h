@@ -2,7 +2,7 @@
 // Usable alone: needs nothing of a scene.
 //
 //   PhotonMap *map = photon_map_build(photons, count, &error);   // takes the array over and reorders it
-//   NearPhoton near[PHOTON_MAP_NEAREST_ROOM(50)];
+//   NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(50)];
 //   float radius2 = 0.1f * 0.1f;
 //   size_t found = photon_map_nearest(map, point, 50, &radius2, near);
 //   …
@@ -31,18 +31,19 @@ void photon_map_free(PhotonMap *map);
 
 // The up to k photons nearest to `point` among those with distance² < *radius2 (INFINITY: no limit), in no particular
 // order. Returns how many. If k were found, *radius2 becomes the squared distance of the farthest of them (the k-th);
-// otherwise *radius2 stays. `near` must hold PHOTON_MAP_NEAREST_ROOM(k) entries: the search uses the rest as scratch.
+// otherwise *radius2 stays. `near` must hold PHOTON_MAP_NEAREST_CAPACITY(k) entries: the search uses the rest as scratch.
 size_t photon_map_nearest(const PhotonMap *map, Vec3 point, size_t k, float *radius2, NearPhoton *near);
-#define PHOTON_MAP_NEAREST_ROOM(k) (2 * (k) + 64)
+#define PHOTON_MAP_NEAREST_CAPACITY(k) (2 * (k) + 64)
+#define PHOTON_MAP_NEAREST_ROOM        PHOTON_MAP_NEAREST_CAPACITY // its name in earlier handouts
 
 // Calls visit for runs of photons such that every photon with distance² < radius² is in exactly one run; a run may
 // hold others, too. The visitor tests the distance itself. Cheap: nothing is collected.
 typedef void (*PhotonVisitor)(const StoredPhoton *run, size_t count, void *user);
 void photon_map_visit(const PhotonMap *map, Vec3 point, float radius, PhotonVisitor visit, void *user);
 
-// All photons with distance² < radius², appended to `near` (at most `room`). Returns how many there are, which may be
-// more than room.
-size_t photon_map_within(const PhotonMap *map, Vec3 point, float radius, NearPhoton *near, size_t room);
+// All photons with distance² < radius², appended to `near` (at most `capacity`). Returns how many there are, which may be
+// more than capacity.
+size_t photon_map_within(const PhotonMap *map, Vec3 point, float radius, NearPhoton *near, size_t capacity);
 
 size_t photon_map_count(const PhotonMap *map);
 const StoredPhoton *photon_map_photons(const PhotonMap *map); // all of them, in the tree's order

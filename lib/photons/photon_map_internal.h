@@ -1,10 +1,8 @@
-// How the photon map is laid out. For the photon map's own files and the curious.
+// How the photon map lies in memory. For the photon map's own files and the curious; photon_map.c has a reading order.
 //
-// A kd-tree whose every split halves its photons gives each node a range of the photon array that follows
-// from its place in the tree alone, so no ranges or pointers are stored: of 2^depth leaves, leaf i holds the
-// photons from count·i / 2^depth on. Nodes keep the tight boxes of their photons in place of splitting
-// planes: photons lie on surfaces, and a tight box is much smaller than its cell. Two levels of halving make
-// one node with four children, because four boxes can be tested at once.
+// Every split halves its photons exactly, so a node's range of the photon array follows from its place in the tree: of
+// 2^depth leaves, leaf i holds the photons from count·i / 2^depth on. Nodes keep tight boxes in place of splitting
+// planes: photons lie on surfaces, and a tight box is much smaller than its cell.
 #ifndef PHOTONLAB_PHOTONS_PHOTON_MAP_INTERNAL_H
 #define PHOTONLAB_PHOTONS_PHOTON_MAP_INTERNAL_H
 
@@ -15,8 +13,8 @@
 #include <string.h>
 
 enum {
-    LEAF_PHOTONS = 16, // at most, in a leaf; more than half of it if there is more than one leaf
-    STACK_ROOM = 96    // a walk leaves at most three children waiting on each of 32 levels
+    LEAF_PHOTONS = 16,  // at most, in a leaf; more than half of it if there is more than one leaf
+    STACK_CAPACITY = 96 // a walk leaves at most three children waiting on each of 32 levels
 };
 
 // The boxes around four children's photons. An empty box (low = ∞, high = −∞) is infinitely far from
@@ -86,7 +84,7 @@ static inline void swap_bytes(void *a, void *b, size_t size)
 // the box's longest side than any of the others. `values`: scratch for one float per photon.
 void photon_map_halve(StoredPhoton *photons, size_t count, Box box, size_t rank, float *values);
 
-// Appends the photons nearer than the limit; `near` needs room for all `count`. Each is written, and stays if
+// Appends the photons nearer than the limit; `near` must hold all `count`. Each is written, and stays if
 // it was near enough: a branch would be mispredicted every few photons.
 static inline size_t collect(const StoredPhoton *photons, size_t count, Vec3 point, float limit, NearPhoton *near)
 {

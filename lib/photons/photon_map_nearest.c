@@ -1,6 +1,6 @@
-// The search for the k nearest photons: walk the tree from the nearest box to farther ones, gather all
-// photons closer than a limit, and select the k nearest when the scratch is full and at the end. No heap: a
-// heap pays for order that nobody asked for.
+// The search for the k nearest photons: walk the tree from the nearest box to farther ones, collect all photons closer
+// than a limit, and select the k nearest when the array is full and at the end. A heap would keep them in order all the
+// time, which costs more, and no caller needs an order.
 #include "photons/photon_map_internal.h"
 
 #include <string.h>
@@ -12,7 +12,7 @@ typedef struct {
     float limit; // only photons with a smaller distance² count
     NearPhoton *near;
     size_t found;
-    uint64_t stack[STACK_ROOM]; // what is still to be visited, the nearest on top
+    uint64_t stack[STACK_CAPACITY]; // what is still to be visited, the nearest on top
     size_t waiting;
 } Search;
 
@@ -117,7 +117,7 @@ static inline void search_leaf(Search *search, size_t leaf)
     size_t begin = leaf_begin(map, leaf);
     size_t count = leaf_begin(map, leaf + 1) - begin;
     search->found += collect(map->photons + begin, count, search->point, search->limit, search->near + search->found);
-    if (search->found + LEAF_PHOTONS > PHOTON_MAP_NEAREST_ROOM(search->k)) {
+    if (search->found + LEAF_PHOTONS > PHOTON_MAP_NEAREST_CAPACITY(search->k)) {
         search->limit = keep_nearest(search->near, search->found, search->k);
         search->found = search->k;
     }

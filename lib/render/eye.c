@@ -6,19 +6,18 @@
 #define CAUSTIC_SHARE 4     // caustics are estimated from k/4 photons …
 #define CAUSTIC_LEAST 20    // … but not from fewer than these, if k is larger
 
-// What a ray carries: how much of what it brings back will reach the camera (to tell bright rays from faint ones),
-// the one colour it is left with after dispersing glass, its surfaces so far, and whether lights shall be seen.
 typedef struct {
-    Colour weight;
-    PhotonColour colour;
-    int bounce;
-    bool sees_lights;
+    Colour weight;       // the share of what it brings back that reaches the camera: tells bright rays from faint ones
+    PhotonColour colour; // WHITE, or the one that is left after dispersing glass
+    int bounce;          // surfaces met so far
+    bool sees_lights;    // false where shadow rays have counted them
 } EyeRay;
 
 static Colour trace(Eye *eye, const Ray *ray, EyeRay carried);
 
 // What a matt surface sends back of one map's light; from the cache, if an estimate was made nearby on the same
-// material. For the matt part of a glossy surface, `hit` has a material of its own and `material` is the true one.
+// material. For the matt part of another rough surface, hit->material is a matt copy and `material` the scene's own,
+// which the cache goes by.
 static Colour matt_from_map(Eye *eye, const PhotonMap *map, RadianceCache *cache, const Hit *hit,
                             const Material *material, Vec3 wo)
 {
@@ -28,8 +27,8 @@ static Colour matt_from_map(Eye *eye, const PhotonMap *map, RadianceCache *cache
         return radiance;
     eye->gather.reach = 0.0f;
     radiance = steps.estimate_radiance(map, hit, wo, &eye->gather);
-    // Where photons happen to be sparse the radius is large and the estimate low: a reach in proportion would favour
-    // low estimates. In steps of two it does not follow the noise.
+    // Where photons happen to be sparse, the radius is large and the estimate low; a reach in proportion to it would
+    // spread low estimates farther than high ones. Rounded to a power of two, the reach does not follow such noise.
     if (reuse > 0.0f && eye->gather.reach > 0.0f) {
         float reach = reuse * ldexpf(1.0f, ilogbf(eye->gather.reach));
         radiance_cache_add(cache, &(CachedRadiance){hit->position, hit->normal, material, reach, radiance});
@@ -121,8 +120,8 @@ static Colour only_channel(int channel, float value)
 static void glass_way(const Eye *eye, const Hit *hit, Vec3 direction, float index, Vec3 *refracted, float *reflected,
                       float *through)
 {
-    bool looking_glass = eye->options->glass_sides == 1;
-    if (looking_glass && !hit->entering) { // the back of the glass is not there
+    bool front_only = eye->options->glass_sides == 1;
+    if (front_only && !hit->entering) { // as if the glass had no back
         *refracted = direction;
         *reflected = 0.0f;
         *through = 1.0f;
@@ -132,7 +131,7 @@ static void glass_way(const Eye *eye, const Hit *hit, Vec3 direction, float inde
     *reflected = glass_optics(hit, direction, index, refracted);
     // Radiance is squeezed into the denser side's narrower cone: L/n² stays the same along a ray (Veach 1996).
     float eta = hit->entering ? 1.0f / index : index;
-    *through = (1.0f - *reflected) * (looking_glass ? 1.0f : eta * eta);
+    *through = (1.0f - *reflected) * (front_only ? 1.0f : eta * eta);
 }
 
 // Light through glass: each way is followed or, while the ray is faint, one of both. In dispersing glass a white ray

@@ -26,6 +26,6 @@ bool radiance_cache_find(const RadianceCache *cache, Vec3 position, Vec3 normal,
 
 void radiance_cache_add(RadianceCache *cache, const CachedRadiance *entry)
 {
-    if (cache->count < RADIANCE_CACHE_ROOM)
+    if (cache->count < RADIANCE_CACHE_CAPACITY)
         cache->entries[cache->count++] = *entry;
 }

@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define RADIANCE_CACHE_ROOM 1024
+#define RADIANCE_CACHE_CAPACITY 1024
 
 typedef struct {
     Vec3 position, normal;
@@ -20,7 +20,7 @@ typedef struct {
 } CachedRadiance;
 
 typedef struct {
-    CachedRadiance entries[RADIANCE_CACHE_ROOM];
+    CachedRadiance entries[RADIANCE_CACHE_CAPACITY];
     size_t count;
 } RadianceCache;
 

@@ -51,7 +51,7 @@ static Eye *eye_create(const Scene *scene, const RenderOptions *options, const M
         return NULL;
     size_t k = (size_t)options->settings.k;
     float radius = options->settings.radius > 0.0f ? options->settings.radius : INFINITY;
-    NearPhoton *near = malloc(PHOTON_MAP_NEAREST_ROOM(k) * sizeof *near);
+    NearPhoton *near = malloc(PHOTON_MAP_NEAREST_CAPACITY(k) * sizeof *near);
     eye->scene = scene;
     eye->options = options;
     eye->caustic = maps->caustic;

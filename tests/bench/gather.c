@@ -101,7 +101,7 @@ static double rate(const Work *work, int repetitions, Measure measure, Sums *sum
 #pragma omp parallel reduction(+ : r2, found, power)
 #endif
         {
-            NearPhoton *near = bench_allocate(PHOTON_MAP_NEAREST_ROOM(BENCH_MAX_K), sizeof *near);
+            NearPhoton *near = bench_allocate(PHOTON_MAP_NEAREST_CAPACITY(BENCH_MAX_K), sizeof *near);
 #ifdef _OPENMP
 #pragma omp for schedule(static)
 #endif

@@ -60,7 +60,7 @@ static double look_ups_per_second(const PhotonMap *map)
         double start = clock_seconds();
 #pragma omp parallel for schedule(dynamic, 1000)
         for (long i = 0; i < QUERIES; i++) {
-            NearPhoton near[PHOTON_MAP_NEAREST_ROOM(NEAREST)];
+            NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(NEAREST)];
             float radius2 = INFINITY;
             photon_map_nearest(map, photons[(size_t)i * count / QUERIES].position, NEAREST, &radius2, near);
         }

@@ -45,7 +45,7 @@ static void across(size_t k, Gather *gather, FILE *data, FILE *text)
 
 int main(int count, char **names)
 {
-    static NearPhoton near[PHOTON_MAP_NEAREST_ROOM(MOST_K)];
+    static NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(MOST_K)];
     Gather gather = {.radius = INFINITY, .near = near};
     Error error = {{0}};
     FILE *data = count == 3 ? fopen(names[1], "w") : NULL;

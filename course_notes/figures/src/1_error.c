@@ -112,7 +112,7 @@ static void against_photons(FILE *data, FILE *text, NearPhoton *near)
 int main(int count, char **names)
 {
     Error error = {{0}};
-    NearPhoton *near = malloc(PHOTON_MAP_NEAREST_ROOM(MOST_K) * sizeof *near);
+    NearPhoton *near = malloc(PHOTON_MAP_NEAREST_CAPACITY(MOST_K) * sizeof *near);
     FILE *data = count == 3 ? fopen(names[1], "w") : NULL;
     FILE *text = count == 3 ? fopen(names[2], "w") : NULL;
     if (!near || !data || !text || !steps_load(NULL, &error))

@@ -72,7 +72,7 @@ static void measure(size_t k, NearPhoton *near, FILE *data, FILE *text)
 int main(int count, char **names)
 {
     static const size_t ks[] = {4, 6, 8, 12, 20, 30, 50, 100};
-    static NearPhoton near[PHOTON_MAP_NEAREST_ROOM(MOST_K)];
+    static NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(MOST_K)];
     Error error = {{0}};
     FILE *data = count == 3 ? fopen(names[1], "w") : NULL;
     FILE *text = count == 3 ? fopen(names[2], "w") : NULL;

@@ -31,7 +31,7 @@ static double leaf_distance(const PhotonMap *map, size_t leaf, double x, double 
 
 int main(int count, char **names)
 {
-    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(K)];
+    NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(K)];
     Error error = {{0}};
     FILE *data = count == 3 ? fopen(names[1], "w") : NULL;
     FILE *text = count == 3 ? fopen(names[2], "w") : NULL;

@@ -31,7 +31,7 @@ static Lookup lookup_create(const Scene *scene, long photons, unsigned keep)
         fail(error.message);
     Lookup lookup = {.gather = {.k = K, .radius = INFINITY}};
     lookup.map = photon_map_build(pass.rest.photons, pass.rest.count, &error);
-    lookup.gather.near = malloc(PHOTON_MAP_NEAREST_ROOM(K) * sizeof(NearPhoton));
+    lookup.gather.near = malloc(PHOTON_MAP_NEAREST_CAPACITY(K) * sizeof(NearPhoton));
     if (!lookup.map || !lookup.gather.near)
         fail(error.message);
     pass.rest = (PhotonArray){NULL, 0};

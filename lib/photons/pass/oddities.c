@@ -5,11 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
-// The spread of fewer paths is itself too uncertain to accuse anybody: of one path it is 0, whatever chance did, and of
-// a hundred it is still too small now and then.
+// From fewer paths the standard error itself is too uncertain to judge by: of one path it is 0, and of a hundred it is
+// still far too small now and then.
 #define FEWEST_PATHS 1000
 
-// Which steps give directions at which surface, and whose turn it is when none of those is the student's.
+// Which steps give directions at which surface; where none of those is the student's, the loops are suspected.
 static const struct {
     const char *place;
     const char *steps[6];
@@ -21,7 +21,7 @@ static const struct {
     [MATERIAL_LIGHT] = {"the light", {"1.2", "1.3", NULL}},
 };
 static const char *const loops[] = {"1.5", "3.4", NULL};
-// What a photon's power, or whether it goes on, may hang on.
+// The steps that decide a photon's power, or whether it goes on.
 static const char *const weights[] = {"1.4", "1.5", "2.1", "2.2", "2.3", "2.4",
                                       "3.1", "3.2", "3.3", "3.4", "3.5", NULL};
 
@@ -96,7 +96,7 @@ void oddities_describe(const Oddities *found, char *text, size_t size)
     if (found->unsound->total > 0)
         describe_unsound(found->unsound, found->states, text + used, size - used);
     used = strlen(text);
-    // What paths that ended too early would have brought is missing, and no fault of a weight.
+    // Where paths ended by a bad direction, their flux is missing too, and no weight is to blame.
     if (found->paths >= FEWEST_PATHS && found->unsound->total == 0)
         describe_energy(found->ledger, found->states, text + used, size - used);
 }

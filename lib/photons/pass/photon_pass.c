@@ -47,24 +47,35 @@ Photon light_emit(const Light *light, Rng *rng)
         return steps.emit_photon(light, rng);
     float u = rng_float(rng);
     float v = rng_float(rng);
-    if (light->type == LIGHT_BEAM) {
+    Vec3 position = light->position;
+    Vec3 direction = light->direction;
+    switch (light->type) {
+    case LIGHT_RECTANGLE: // returned above
+        break;
+    case LIGHT_BEAM: {
         Vec3 spot = sample_disk(u, v);
-        Vec3 position = vec3_along(light->position, light->edge_u, spot.x * light->radius);
+        position = vec3_along(position, light->edge_u, spot.x * light->radius);
         position = vec3_along(position, light->edge_v, spot.y * light->radius);
-        return photon_create(position, light->direction, light->power);
+        break;
     }
-    if (light->type == LIGHT_SPOT) {
+    case LIGHT_SPOT: {
         Frame frame = frame_about(light->direction);
-        Vec3 direction = frame_to_world(&frame, sample_cone(light->cos_cone, u, v));
-        return photon_create(light->position, direction, light->power);
+        direction = frame_to_world(&frame, sample_cone(light->cos_cone, u, v));
+        break;
     }
-    Vec3 outward = sample_sphere(u, v);
-    if (light->type == LIGHT_POINT)
-        return photon_create(light->position, outward, light->power);
-    Vec3 position = vec3_along(light->position, outward, light->radius);
-    float s = rng_float(rng);
-    float t = rng_float(rng);
-    return photon_create(position, sample_cosine(outward, s, t), light->power);
+    case LIGHT_POINT:
+        direction = sample_sphere(u, v);
+        break;
+    case LIGHT_SPHERE: {
+        Vec3 outward = sample_sphere(u, v);
+        float s = rng_float(rng);
+        float t = rng_float(rng);
+        position = vec3_along(position, outward, light->radius);
+        direction = sample_cosine(outward, s, t);
+        break;
+    }
+    }
+    return photon_create(position, direction, light->power);
 }
 
 static void close_path(PhotonTrace *trace)
@@ -137,8 +148,8 @@ static void close_books(PhotonPass *pass, const PhotonTrace *chunks, long chunk_
     }
 }
 
-// Joins what the chunks stored, in their order, freeing each as it is done: photons are held twice only chunk by
-// chunk.
+// Joins what the chunks stored, in their order. Each chunk is freed once copied, so that memory never holds all photons
+// twice.
 static bool merge(PhotonPass *pass, PhotonTrace *chunks, long chunk_count, const PhotonPassOptions *options)
 {
     bool part_caustics = (options->keep & KEEP_CAUSTIC) && !(options->keep & KEEP_DIRECT);

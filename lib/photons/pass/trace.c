@@ -1,9 +1,8 @@
 #include "photons/pass/trace_internal.h"
 #include "scene/material_kind.h"
+#include "base/array.h"
 #include "math/sample.h"
 #include "steps/steps.h"
-
-#include <stdlib.h>
 
 static void add_power(double sum[3], Colour power)
 {
@@ -23,7 +22,8 @@ static PhotonPath path_after(const Photon *photon)
     return photon->path == PATH_DIRECT ? PATH_CAUSTIC : photon->path;
 }
 
-// The books at an arrival: the albedo's share goes on, on average; what really goes on is seen at the next departure.
+// At an arrival the ledger expects the albedo's share of the flux to go on; what really does is subtracted at the next
+// departure. The difference, summed over the path, is its part of `chance`.
 static void book_arrival(PhotonTrace *trace, const Photon *photon, const Hit *hit)
 {
     float cos_i = -vec3_dot(photon->direction, hit->normal);
@@ -72,26 +72,17 @@ bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
     return hit->material->type != MATERIAL_LIGHT;
 }
 
-// Room for twice as many.
-static bool grow(PhotonTrace *trace)
-{
-    size_t room = trace->room ? 2 * trace->room : 1024;
-    StoredPhoton *photons = realloc(trace->photons, room * sizeof *photons);
-    if (!photons) {
-        trace->out_of_memory = true;
-        return false;
-    }
-    trace->photons = photons;
-    trace->room = room;
-    return true;
-}
-
 void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
 {
     if (!(trace->keep & (1u << photon->path)))
         return;
-    if (!trace->recorder && trace->count == trace->room && !grow(trace))
-        return;
+    if (!trace->recorder) {
+        StoredPhoton *photons = array_reserve(trace->photons, trace->count, &trace->capacity, sizeof *photons);
+        trace->out_of_memory |= !photons;
+        if (!photons)
+            return;
+        trace->photons = photons;
+    }
     int before = photon->bounce - 1;
     StoredPhoton aside;
     StoredPhoton *to = trace->recorder ? &aside : &trace->photons[trace->count++];

@@ -12,7 +12,7 @@ struct PhotonTrace {
     const PhotonRecorder *recorder;
 
     StoredPhoton *photons; // what this chunk of paths has stored, in order
-    size_t count, room;
+    size_t count, capacity;
     size_t caustics;                  // how many of them came by mirrors and glass only
     size_t first_caustic, first_rest; // where they go when the chunks are joined
     bool out_of_memory;

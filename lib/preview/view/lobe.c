@@ -89,7 +89,7 @@ static size_t to_photons(const LobeSamples *samples, LobeCounts *counts, StoredP
 void lobe_cloud(const Lobe *lobe, const LobeSamples *samples, LobeCounts *counts, Vertices *list)
 {
     StoredPhoton *photons = malloc((samples->count + 1) * sizeof *photons);
-    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(NEAREST)];
+    NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(NEAREST)];
     Error error;
     size_t count = photons ? to_photons(samples, counts, photons) : 0;
     PhotonMap *map = photons ? photon_map_build(photons, count, &error) : NULL;

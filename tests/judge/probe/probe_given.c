@@ -85,7 +85,8 @@ bool read_surroundings(ProbeLine *line, Given *given, Error *error)
     if (line->broken)
         return true; // said by the caller
     StoredPhoton *photons = calloc((size_t)count + 1, sizeof *photons);
-    given->gather_read.near = malloc(PHOTON_MAP_NEAREST_ROOM(given->gather_read.k) * sizeof *given->gather_read.near);
+    given->gather_read.near =
+        malloc(PHOTON_MAP_NEAREST_CAPACITY(given->gather_read.k) * sizeof *given->gather_read.near);
     if (!photons || !given->gather_read.near) {
         free(photons);
         return error_set(error, "not enough memory");

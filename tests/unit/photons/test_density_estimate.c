@@ -107,7 +107,7 @@ static PhotonMap *make_map(uint64_t seed, uint64_t trial)
 // Estimate over truth in the middle of the square, by each filter.
 static void estimate(const PhotonMap *map, size_t k, double values[CASES])
 {
-    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(MOST_K)];
+    NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(MOST_K)];
     float radius2 = INFINITY;
     assert_int_equal(photon_map_nearest(map, vec3(0.0f, 0.5f, 0.0f), k, &radius2, near), k);
     assert_true(radius2 < 1.0f); // the disc stays in the square

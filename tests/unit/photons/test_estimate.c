@@ -5,7 +5,7 @@
 #define ROOM 400
 
 static Material grey = {.type = MATERIAL_DIFFUSE, .diffuse = {0.5f, 0.25f, 0.75f}};
-static NearPhoton near[PHOTON_MAP_NEAREST_ROOM(ROOM)];
+static NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(ROOM)];
 
 static Hit floor_hit(float x, float y)
 {

@@ -60,7 +60,7 @@ static size_t count_below(const float *sorted, size_t count, float limit)
 
 static void check_nearest(const PhotonMap *map, Vec3 point, size_t k, float limit, const float *sorted)
 {
-    size_t room = PHOTON_MAP_NEAREST_ROOM(k);
+    size_t room = PHOTON_MAP_NEAREST_CAPACITY(k);
     NearPhoton *near = malloc(room * sizeof *near); // exactly that much: AddressSanitizer watches
     assert_non_null(near);
     size_t in_reach = count_below(sorted, photon_map_count(map), limit);
@@ -143,7 +143,7 @@ static void test_no_photons_wanted(void **state)
 {
     (void)state;
     PhotonMap *map = make_map(CUBE, 100, 5);
-    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(0)];
+    NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(0)];
     float radius2 = 3.0f;
     assert_int_equal(photon_map_nearest(map, vec3(0.0f, 0.0f, 0.0f), 0, &radius2, near), 0);
     assert_true(radius2 == 3.0f);
@@ -225,7 +225,7 @@ static void test_example_of_the_header(void **state)
     Error error = {""};
 
     PhotonMap *map = photon_map_build(photons, count, &error); // takes the array over and reorders it
-    NearPhoton near[PHOTON_MAP_NEAREST_ROOM(50)];
+    NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(50)];
     float radius2 = 0.1f * 0.1f;
     size_t found = photon_map_nearest(map, point, 50, &radius2, near);
 

@@ -63,7 +63,7 @@ static void test_same_order_everywhere(void **state)
         PhotonMap *map = make_map((Arrangement)arrangement, 5000, 10);
         for (size_t i = 0; i < photon_map_count(map); i++)
             hash = hash_number(hash, &photon_map_photons(map)[i]);
-        NearPhoton near[PHOTON_MAP_NEAREST_ROOM(50)];
+        NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(50)];
         float radius2 = INFINITY;
         size_t found = photon_map_nearest(map, vec3(0.1f, 0.2f, 0.3f), 50, &radius2, near);
         for (size_t i = 0; i < found; i++)

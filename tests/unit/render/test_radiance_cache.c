@@ -105,14 +105,14 @@ static void a_full_cache_keeps_what_it_has(void **state)
     } guarded;
     memset(&guarded, 0x5a, sizeof guarded);
     radiance_cache_clear(&guarded.cache);
-    for (int i = 0; i <= RADIANCE_CACHE_ROOM; i++)
+    for (int i = 0; i <= RADIANCE_CACHE_CAPACITY; i++)
         add(&guarded.cache, vec3(10.0f * (float)i, 0, 0), 1.0f, &red_paint, colour_grey((float)i));
-    assert_int_equal(guarded.cache.count, RADIANCE_CACHE_ROOM);
+    assert_int_equal(guarded.cache.count, RADIANCE_CACHE_CAPACITY);
     for (size_t i = 0; i < sizeof guarded.behind; i++)
         assert_int_equal(guarded.behind[i], 0x5a);
-    for (int i = 0; i < RADIANCE_CACHE_ROOM; i++)
+    for (int i = 0; i < RADIANCE_CACHE_CAPACITY; i++)
         assert_true(found_at(&guarded.cache, vec3(10.0f * (float)i, 0, 0), up) == (float)i);
-    assert_true(found_at(&guarded.cache, vec3(10.0f * RADIANCE_CACHE_ROOM, 0, 0), up) < 0.0f);
+    assert_true(found_at(&guarded.cache, vec3(10.0f * RADIANCE_CACHE_CAPACITY, 0, 0), up) < 0.0f);
 }
 
 int main(void)
