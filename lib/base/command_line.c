@@ -45,6 +45,7 @@ static bool parse_seed(const char *text, uint64_t *value)
 static bool take_flag(const Flag *flag, const char *text)
 {
     long whole;
+    float number;
     switch (flag->kind) {
     case FLAG_PRESENT:
         *(bool *)flag->value = true;
@@ -63,6 +64,19 @@ static bool take_flag(const Flag *flag, const char *text)
         return parse_float(flag, text, flag->value);
     case FLAG_SEED:
         return parse_seed(text, flag->value);
+    case FLAG_ON:
+        *(double *)flag->value = 1.0;
+        return true;
+    case FLAG_WHOLE:
+        if (!parse_whole(flag, text, &whole))
+            return false;
+        *(double *)flag->value = (double)whole;
+        return true;
+    case FLAG_NUMBER:
+        if (!parse_float(flag, text, &number))
+            return false;
+        *(double *)flag->value = (double)number;
+        return true;
     }
     return false;
 }
@@ -73,7 +87,8 @@ static int refuse_flag(const char *command, const Flag *flag, const char *text)
         return report_usage(command, "--%s %s: expected a whole number from 0 to 18446744073709551615", flag->name,
                             text);
     return report_usage(command, "--%s %s: expected a %s from %.10g to %.10g", flag->name, text,
-                        flag->kind == FLAG_FLOAT ? "number" : "whole number", flag->low, flag->high);
+                        flag->kind == FLAG_FLOAT || flag->kind == FLAG_NUMBER ? "number" : "whole number", flag->low,
+                        flag->high);
 }
 
 int command_line_parse(const CommandLine *line, int count, char **arguments, const char **files)
@@ -81,8 +96,9 @@ int command_line_parse(const CommandLine *line, int count, char **arguments, con
     struct option options[MOST_FLAGS + 2] = {{"help", no_argument, NULL, 'h'}};
     for (int i = 0; i < line->flag_count && i < MOST_FLAGS; i++) {
         const Flag *flag = &line->flags[i];
-        options[i + 1] =
-            (struct option){flag->name, flag->kind == FLAG_PRESENT ? no_argument : required_argument, NULL, 256 + i};
+        options[i + 1] = (struct option){
+            flag->name, flag->kind == FLAG_PRESENT || flag->kind == FLAG_ON ? no_argument : required_argument, NULL,
+            256 + i};
     }
     optind = 1;
     opterr = 0; // the messages are ours

@@ -7,7 +7,17 @@
 #define EXIT_USAGE 2
 
 // A flag and where its value goes. Numbers must lie in low…high.
-typedef enum { FLAG_PRESENT, FLAG_TEXT, FLAG_INT, FLAG_LONG, FLAG_FLOAT, FLAG_SEED } FlagKind; // bool, const char *, …
+typedef enum {
+    FLAG_PRESENT, // bool
+    FLAG_TEXT,    // const char *
+    FLAG_INT,
+    FLAG_LONG,
+    FLAG_FLOAT,
+    FLAG_SEED,  // uint64_t
+    FLAG_ON,    // a double of the preview's settings: 1
+    FLAG_WHOLE, // such a double: a whole number
+    FLAG_NUMBER // such a double: any number
+} FlagKind;
 typedef struct {
     const char *name; // "photons" for --photons; "o" for -o
     FlagKind kind;

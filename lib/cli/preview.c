@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "preview/preview.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -44,11 +43,7 @@ typedef struct {
     const char *scene, *view, *colour, *camera, *framing, *size, *steps, *context, *photons_file, *reference_file;
     bool every_save, frame, no_wireframe, split;
     float flight;
-    union {
-        long whole;
-        float number;
-        bool on;
-    } settings[VIEW_COUNT][MOST_SETTINGS];
+    double settings[VIEW_COUNT][MOST_SETTINGS];
     PreviewOptions options;
 } Arguments;
 
@@ -71,39 +66,15 @@ static void list_flags(char *text, size_t size)
 static int add_settings(Arguments *a, Flag *flags, int count)
 {
     static const FlagKind KINDS[] = {
-        [SETTING_WHOLE] = FLAG_LONG, [SETTING_NUMBER] = FLAG_FLOAT, [SETTING_SWITCH] = FLAG_PRESENT};
+        [SETTING_WHOLE] = FLAG_WHOLE, [SETTING_NUMBER] = FLAG_NUMBER, [SETTING_SWITCH] = FLAG_ON};
     for (int i = 0; i < VIEW_COUNT; i++)
-        for (int j = 0; j < MOST_SETTINGS && count < MOST_FLAGS; j++) {
+        for (int j = 0; j < MOST_SETTINGS && view_types[i]->settings[j].flag && count < MOST_FLAGS; j++) {
             const ViewSetting *setting = &view_types[i]->settings[j];
-            if (!setting->flag)
-                break;
-            if (setting->kind == SETTING_WHOLE)
-                a->settings[i][j].whole = LONG_MIN;
-            else if (setting->kind == SETTING_NUMBER)
-                a->settings[i][j].number = NAN;
+            a->settings[i][j] = setting->start;
             flags[count++] =
                 (Flag){setting->flag, KINDS[setting->kind], &a->settings[i][j], setting->low, setting->high};
         }
     return count;
-}
-
-static void take_settings(const Arguments *a, View *view)
-{
-    for (int i = 0; i < VIEW_COUNT; i++)
-        for (int j = 0; j < MOST_SETTINGS && view_types[i]->settings[j].flag; j++) {
-            double *value = &view->settings[i][j];
-            switch (view_types[i]->settings[j].kind) {
-            case SETTING_WHOLE:
-                *value = a->settings[i][j].whole == LONG_MIN ? *value : (double)a->settings[i][j].whole;
-                break;
-            case SETTING_NUMBER:
-                *value = isnan(a->settings[i][j].number) ? *value : (double)a->settings[i][j].number;
-                break;
-            case SETTING_SWITCH:
-                *value = a->settings[i][j].on;
-                break;
-            }
-        }
 }
 
 static bool parse_names(Arguments *a)
@@ -202,7 +173,7 @@ static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *
     view->split = a->split || a->reference_file;
     view->wireframe = !a->no_wireframe;
     view->flight = (double)a->flight;
-    take_settings(a, view);
+    memcpy(view->settings, a->settings, sizeof view->settings);
     Vec3 p, t;
     char after;
     if (a->camera && sscanf(a->camera, "%f,%f,%f,%f,%f,%f%c", &p.x, &p.y, &p.z, &t.x, &t.y, &t.z, &after) != 6)
