@@ -33,7 +33,7 @@ PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
 PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lyaml)
 
-override CFLAGS += $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(EXTRA)
+override CFLAGS += $(if $(HAVE_PREVIEW),,-DWITHOUT_PREVIEW) $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(EXTRA)
 LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(OPENMP)
 
 ifeq ($(SYSTEM),Darwin)
@@ -48,9 +48,11 @@ endif
 
 find_c           = $(sort $(shell find $(1) -name '*.c' 2>/dev/null))
 LIBRARY_SOURCES := $(filter-out lib/cli/% lib/preview/%,$(call find_c,lib))
-PROGRAM_SOURCES := $(call find_c,lib/cli lib/preview)
+# Without the headers of GLFW and OpenGL there is no preview, and `photonlab preview` says what to install.
+HAVE_PREVIEW    := $(shell $(CC) -DGLFW_INCLUDE_GLCOREARB -include GLFW/glfw3.h -fsyntax-only -x c /dev/null 2>/dev/null && echo yes)
+PROGRAM_SOURCES := $(filter-out $(if $(HAVE_PREVIEW),,lib/preview/% lib/cli/preview_%),$(call find_c,lib/cli lib/preview))
 STEP_SOURCES    = $(wildcard solutions/*/*.c)
-TEST_SOURCES    = $(filter-out $(SKIP),$(wildcard tests/unit/*/*.c))
+TEST_SOURCES    = $(filter-out $(SKIP) $(if $(HAVE_PREVIEW),,tests/unit/preview/%),$(wildcard tests/unit/*/*.c))
 
 object   = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 LIBRARY  = $(BUILD)/libphotonlab.so

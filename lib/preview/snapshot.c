@@ -88,7 +88,7 @@ static bool easel_open(Easel *easel, const PreviewOptions *options, Error *error
     if (options->hidden_context_is_window) {
         if (!(easel->window = window_create_hidden(options->width, options->height, error)))
             return false;
-        loader = window_loader(easel->window);
+        loader = window_loader();
     } else {
         if (!(easel->context = context_create(options->context, error)))
             return false;

@@ -1,9 +1,4 @@
 #include "preview/window_internal.h"
-
-#include <stddef.h>
-
-#ifdef HAVE_GLFW_HEADER
-
 #include "preview/draw/context/library.h"
 
 #include <stdlib.h>
@@ -108,9 +103,8 @@ static void *address_of(const char *name)
     return address;
 }
 
-GlLoader window_loader(const Window *window)
+GlLoader window_loader(void)
 {
-    (void)window;
     return address_of;
 }
 
@@ -127,83 +121,7 @@ void window_wait(Window *window, double seconds)
         glfw.glfwPollEvents();
 }
 
-void window_wake(Window *window)
-{
-    (void)window;
-    glfw.glfwPostEmptyEvent();
-}
-
-bool window_close_asked(const Window *window)
-{
-    return glfw.glfwWindowShouldClose(window->handle);
-}
-
 void window_swap(Window *window)
 {
     glfw.glfwSwapBuffers(window->handle);
 }
-
-#else // without GLFW's header there are no windows, and all the rest still works
-
-struct Window {
-    int none;
-};
-
-Window *window_create(const char *title, int width, int height, Error *error)
-{
-    (void)title, (void)width, (void)height;
-    error_set(error, "this program was built without GLFW; Debian, Ubuntu: apt-get install libglfw3-dev; Fedora: dnf "
-                     "install glfw-devel; Arch: pacman -S glfw; macOS: brew install glfw; then make clean, make");
-    return NULL;
-}
-
-Window *window_create_hidden(int width, int height, Error *error)
-{
-    return window_create("", width, height, error);
-}
-
-void window_free(Window *window)
-{
-    (void)window;
-}
-
-GlLoader window_loader(const Window *window)
-{
-    (void)window;
-    return NULL;
-}
-
-void window_framebuffer_size(const Window *window, int *width, int *height)
-{
-    (void)window;
-    *width = *height = 0;
-}
-
-void window_wait(Window *window, double seconds)
-{
-    (void)window, (void)seconds;
-}
-
-void window_wake(Window *window)
-{
-    (void)window;
-}
-
-bool window_next_event(Window *window, WindowEvent *event)
-{
-    (void)window, (void)event;
-    return false;
-}
-
-bool window_close_asked(const Window *window)
-{
-    (void)window;
-    return true;
-}
-
-void window_swap(Window *window)
-{
-    (void)window;
-}
-
-#endif

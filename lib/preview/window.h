@@ -6,14 +6,14 @@
 
 typedef struct Window Window;
 
-// One window at a time; all calls from the thread that made it, but for window_wake. The OpenGL context (3.3 core) is
+// One window at a time; all calls from the thread that made it. The OpenGL context (3.3 core) is
 // present from here on. The error says why there is none: no display, no GLFW (and what to install), no OpenGL 3.3.
 Window *window_create(const char *title, int width, int height, Error *error);
 // Never shown, but drawn by the same OpenGL.
 Window *window_create_hidden(int width, int height, Error *error);
 void window_free(Window *window);
 
-GlLoader window_loader(const Window *window);
+GlLoader window_loader(void);                                                // of the context that is present
 void window_framebuffer_size(const Window *window, int *width, int *height); // pixels; 0 when it is an icon
 
 typedef enum {
@@ -38,13 +38,10 @@ typedef struct {
     float x, y;  // DRAG: pixels of the framebuffer to the right and down; SCROLL: y > 0 away from the user
 } WindowEvent;
 
-// Sleeps until there is an event, window_wake is called, or the time is up; 0 takes what has come without waiting.
+// Sleeps until there is an event or the time is up; 0 takes what has come without waiting.
 void window_wait(Window *window, double seconds);
-// Ends a window_wait; from any thread.
-void window_wake(Window *window);
 // The oldest event. False when there is none. Movements that follow each other come as one.
 bool window_next_event(Window *window, WindowEvent *event);
-bool window_close_asked(const Window *window);
 
 void window_swap(Window *window); // shows what canvas_present has put there
 

@@ -1,8 +1,6 @@
 // From what GLFW tells to the window's queue of events.
 #include "preview/window_internal.h"
 
-#ifdef HAVE_GLFW_HEADER
-
 #define glfw window_glfw
 
 static Window *window_of(GLFWwindow *handle)
@@ -147,5 +145,3 @@ void window_listen(Window *window)
     glfw.glfwSetWindowRefreshCallback(window->handle, on_refresh);
     glfw.glfwSetWindowCloseCallback(window->handle, on_close);
 }
-
-#endif

@@ -4,44 +4,18 @@
 
 #include "preview/window.h"
 
-#if defined(__has_include)
-#if __has_include(<GLFW/glfw3.h>)
-#define HAVE_GLFW_HEADER 1
-#endif
-#endif
-
-#ifdef HAVE_GLFW_HEADER
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define GLFW_FUNCTIONS(X)                                                                                              \
-    X(glfwCreateWindow)                                                                                                \
-    X(glfwDestroyWindow)                                                                                               \
-    X(glfwGetError)                                                                                                    \
-    X(glfwGetFramebufferSize)                                                                                          \
-    X(glfwGetProcAddress)                                                                                              \
-    X(glfwGetWindowSize)                                                                                               \
-    X(glfwGetWindowUserPointer)                                                                                        \
-    X(glfwInit)                                                                                                        \
-    X(glfwMakeContextCurrent)                                                                                          \
-    X(glfwPollEvents)                                                                                                  \
-    X(glfwPostEmptyEvent)                                                                                              \
-    X(glfwSetCharCallback)                                                                                             \
-    X(glfwSetCursorPosCallback)                                                                                        \
-    X(glfwSetFramebufferSizeCallback)                                                                                  \
-    X(glfwSetKeyCallback)                                                                                              \
-    X(glfwSetMouseButtonCallback)                                                                                      \
-    X(glfwSetScrollCallback)                                                                                           \
-    X(glfwSetWindowCloseCallback)                                                                                      \
-    X(glfwSetWindowRefreshCallback)                                                                                    \
-    X(glfwSetWindowUserPointer)                                                                                        \
-    X(glfwSwapBuffers)                                                                                                 \
-    X(glfwSwapInterval)                                                                                                \
-    X(glfwTerminate)                                                                                                   \
-    X(glfwWaitEventsTimeout)                                                                                           \
-    X(glfwWindowHint)                                                                                                  \
-    X(glfwWindowShouldClose)
+// clang-format off
+#define GLFW_FUNCTIONS(X) \
+    X(glfwCreateWindow) X(glfwDestroyWindow) X(glfwGetError) X(glfwGetFramebufferSize) X(glfwGetProcAddress) \
+    X(glfwGetWindowSize) X(glfwGetWindowUserPointer) X(glfwInit) X(glfwMakeContextCurrent) X(glfwPollEvents) \
+    X(glfwSetCharCallback) X(glfwSetCursorPosCallback) X(glfwSetFramebufferSizeCallback) X(glfwSetKeyCallback) \
+    X(glfwSetMouseButtonCallback) X(glfwSetScrollCallback) X(glfwSetWindowCloseCallback) \
+    X(glfwSetWindowRefreshCallback) X(glfwSetWindowUserPointer) X(glfwSwapBuffers) X(glfwSwapInterval) \
+    X(glfwTerminate) X(glfwWaitEventsTimeout) X(glfwWindowHint)
+// clang-format on
 
 // GLFW's functions under their own names: glfw.glfwInit().
 #define GLFW_MEMBER(name) __typeof__(&name) name;
@@ -68,7 +42,5 @@ struct Window {
 
 // Has GLFW tell the window what happens.
 void window_listen(Window *window);
-
-#endif
 
 #endif

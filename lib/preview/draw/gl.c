@@ -5,7 +5,7 @@
 bool gl_load(Gl *gl, GlLoader loader, Error *error)
 {
     void *address;
-#define LOAD(result, name, parameters)                                                                                 \
+#define LOAD(name)                                                                                                     \
     if (!(address = loader("gl" #name)))                                                                               \
         return error_set(error, "this OpenGL has no gl" #name "; the preview needs OpenGL 3.3");                       \
     memcpy(&gl->name, &address, sizeof address); // C99 has no cast to a function

@@ -72,7 +72,7 @@ static bool draw_elsewhere(ContextKind kind, bool in_window, uint8_t *rgba)
         Window *window = in_window ? window_create_hidden(50, 50, &error) : NULL;
         if (!own && !window)
             print_message("skipped: %s\n", error.message);
-        else if (draw_much(own ? context_loader(own) : window_loader(window), bytes))
+        else if (draw_much(own ? context_loader(own) : window_loader(), bytes))
             for (size_t sent = 0; sent < sizeof bytes;)
                 sent += (size_t)write(ends[1], bytes + sent, sizeof bytes - sent);
         context_free(own);
