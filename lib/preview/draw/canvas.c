@@ -244,9 +244,3 @@ int canvas_height(const Canvas *canvas)
 {
     return canvas->height;
 }
-
-const char *canvas_renderer(const Canvas *canvas)
-{
-    const unsigned char *name = canvas->gl.GetString(GL_RENDERER);
-    return name ? (const char *)name : "unknown";
-}

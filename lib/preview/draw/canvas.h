@@ -69,7 +69,5 @@ void canvas_finish(Canvas *canvas);
 void canvas_present(Canvas *canvas, int window_width, int window_height);
 int canvas_width(const Canvas *canvas);
 int canvas_height(const Canvas *canvas);
-// "llvmpipe (LLVM 15.0.6, 256 bits)": who draws.
-const char *canvas_renderer(const Canvas *canvas);
 
 #endif

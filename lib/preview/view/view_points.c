@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 // Caches and ViewType.found of this view.
 enum { POINTS };
@@ -52,55 +53,37 @@ Rgba points_colour(const ViewData *data, ColourMode mode, const StoredPhoton *ph
     return rgba_of_power(photon->power, data->power);
 }
 
-static uint32_t float_order(float value)
+static int by_flight(const void *a, const void *b)
 {
-    union {
-        float value;
-        uint32_t bits;
-    } as = {value > 0.0f ? value : 0.0f};
-    return as.bits;
+    float x = ((const RecordedPhoton *)a)->flown, y = ((const RecordedPhoton *)b)->flown;
+    return x < y ? -1 : x > y;
 }
 
-// Indices of photons by the way flown: by 11 bits at a time. NULL when memory is short.
-static uint32_t *order_by_flight(const RecordedPhoton *photons, size_t count)
+// The first photons in the order of flight. NULL when memory is short.
+static RecordedPhoton *sorted_by_flight(const RecordedPhoton *photons, size_t count)
 {
-    uint32_t *order = malloc((count + 1) * sizeof *order), *other = malloc((count + 1) * sizeof *other);
-    for (size_t i = 0; order && i < count; i++)
-        order[i] = (uint32_t)i;
-    for (int shift = 0; order && other && shift < 32; shift += 11) {
-        size_t begin[2049] = {0};
-        for (size_t i = 0; i < count; i++)
-            begin[(float_order(photons[order[i]].flown) >> shift & 2047) + 1]++;
-        for (int b = 0; b < 2048; b++)
-            begin[b + 1] += begin[b];
-        for (size_t i = 0; i < count; i++)
-            other[begin[float_order(photons[order[i]].flown) >> shift & 2047]++] = order[i];
-        uint32_t *swap = order;
-        order = other;
-        other = swap;
-    }
-    free(other);
-    return order;
+    RecordedPhoton *sorted = malloc((count + 1) * sizeof *sorted);
+    if (sorted && count)
+        memcpy(sorted, photons, count * sizeof *sorted);
+    if (sorted)
+        qsort(sorted, count, sizeof *sorted, by_flight);
+    return sorted;
 }
 
-// The photons `which` (NULL: the first ones) as vertices.
-static void build(ViewData *data, ColourMode mode, const uint32_t *which, size_t count)
+// Photons as vertices. `sorted`: by the way that they have flown, which is kept.
+static void build(ViewData *data, ColourMode mode, const RecordedPhoton *photons, size_t count, bool sorted)
 {
     Found *found = data->found[VIEW_POINTS];
     Vertices list = {.items = NULL};
     free(found->flown);
-    found->flown = which ? malloc((count + 1) * sizeof *found->flown) : NULL;
+    found->flown = sorted ? malloc((count + 1) * sizeof *found->flown) : NULL;
     if (!vertices_reserve(&list, count))
         count = 0;
     for (size_t i = 0; i < count; i++) {
-        const RecordedPhoton *photon = &data->recording.photons[which ? which[i] : i];
-        Vec3 at = photon->at.position;
-        Rgba colour = points_colour(data, mode, &photon->at);
-        list.items[i] = (Vertex){at.x, at.y, at.z, colour.r, colour.g, colour.b, colour.a};
+        vertices_point(&list, photons[i].at.position, points_colour(data, mode, &photons[i].at));
         if (found->flown)
-            found->flown[i] = photon->flown;
+            found->flown[i] = photons[i].flown;
     }
-    list.count = count;
     cache_fill(data->canvas, &data->caches[VIEW_POINTS][POINTS], &list);
 }
 
@@ -129,9 +112,9 @@ static void draw(const Pane *pane)
     // Sorted, only the photons drawn are there; else all, and a first part of them is drawn.
     const double key[KEY_SIZE] = {data->recordings, view->colour, sorted, sorted ? (double)drawn : 0.0};
     if (!cache_is(points, key)) {
-        uint32_t *order = sorted ? order_by_flight(data->recording.photons, drawn) : NULL;
-        build(data, view->colour, order, order ? drawn : count);
-        free(order);
+        RecordedPhoton *first = sorted ? sorted_by_flight(data->recording.photons, drawn) : NULL;
+        build(data, view->colour, first ? first : data->recording.photons, first ? drawn : count, first != NULL);
+        free(first);
     }
     float area = points_area(pane), size = points_size(drawn, area, pane->scale);
     float exposure = points_exposure(drawn, area, size);

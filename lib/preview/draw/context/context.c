@@ -45,11 +45,6 @@ GlLoader context_loader(const Context *context)
     return context->loader;
 }
 
-const char *context_name(const Context *context)
-{
-    return context->name;
-}
-
 void context_free(Context *context)
 {
     if (context)

@@ -12,7 +12,6 @@ typedef struct Context Context;
 // and never linked. The error says what to install where neither is found.
 Context *context_create(ContextKind kind, Error *error);
 GlLoader context_loader(const Context *context);
-const char *context_name(const Context *context); // "OSMesa", "EGL"
 void context_free(Context *context);
 
 #endif

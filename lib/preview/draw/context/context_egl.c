@@ -113,7 +113,6 @@ bool context_start_egl(Context *context, Error *error)
 {
     if (!load(error))
         return false;
-    context->name = "EGL";
     context->loader = address_of;
     context->end = end;
     if (egl.get_platform_display &&

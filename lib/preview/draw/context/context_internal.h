@@ -5,7 +5,6 @@
 #include "preview/draw/context/context.h"
 
 struct Context {
-    const char *name;
     GlLoader loader;
     void (*end)(Context *context);     // of what the kind made
     void *handle;                      // OSMesaContext or EGLContext

@@ -65,7 +65,6 @@ bool context_start_osmesa(Context *context, Error *error)
         mesa.destroy(context->handle);
         return error_set(error, "libOSMesa gives no context");
     }
-    context->name = "OSMesa";
     context->loader = address_of;
     context->end = end;
     return true;

@@ -4,22 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_hidden(const char *name)
-{
-    const char *list = getenv("PHOTONLAB_WITHOUT");
-    size_t length = strlen(name);
-    while (list && *list) {
-        size_t entry = strcspn(list, ",");
-        if (entry == length && memcmp(list, name, length) == 0)
-            return true;
-        list += entry + (list[entry] == ',');
-    }
-    return false;
-}
-
 void *library_open(const char *name, const char *const files[])
 {
-    if (is_hidden(name))
+    const char *hidden = getenv("PHOTONLAB_WITHOUT");
+    if (hidden && strstr(hidden, name))
         return NULL;
     for (; *files; files++) {
         void *library = dlopen(*files, RTLD_NOW | RTLD_LOCAL);
