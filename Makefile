@@ -214,6 +214,7 @@ bench: all meshes
 ## fuzz            feed a reader with nonsense: make fuzz READER=scene|obj|png|pfm SECONDS=600 (needs clang)
 READER  ?= scene
 SECONDS ?= 60
+SEEDS = $(wildcard $(addsuffix *.$(READER:scene=yaml),tests/malformed/ scenes/))
 FUZZ_FLAGS = -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
 fuzz: $(SCENE_PAGE)
 	@test -f tests/fuzz/fuzz_$(READER).c || { echo "READER is scene, obj, png or pfm"; exit 1; }
@@ -221,6 +222,7 @@ fuzz: $(SCENE_PAGE)
 	clang $(STANDARD) -O1 -g -Ilib $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
 	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl || \
 	    { echo "Does clang lack its fuzzer? On Debian: apt-get install libclang-rt-$$(clang -dumpversion | cut -d. -f1)-dev"; exit 1; }
+	$(if $(SEEDS),@cp $(SEEDS) $(BUILD)/fuzz/corpus_$(READER))
 	@cp tests/fuzz/*.dict $(BUILD)/fuzz/ && $(SCENE_PAGE) --words >>$(BUILD)/fuzz/scene.dict
 	$(BUILD)/fuzz/fuzz_$(READER) -max_total_time=$(SECONDS) -timeout=10 -max_len=4096 -print_final_stats=1 \
 	    $(if $(filter scene obj,$(READER)),-dict=$(BUILD)/fuzz/$(READER).dict) $(BUILD)/fuzz/corpus_$(READER)

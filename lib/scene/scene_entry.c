@@ -6,63 +6,72 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool fault(const SceneSource *source, ScenePlace place, const char *format, va_list arguments)
+static bool fault(const SceneFile *file, ScenePlace place, const char *format, va_list arguments)
 {
     char what[700];
     vsnprintf(what, sizeof what, format, arguments);
     text_make_printable(what);
-    return error_set(source->error, "%s:%u:%u: %s", source->file, (unsigned)place.line, (unsigned)place.column, what);
+    return error_set(file->error, "%s:%u:%u: %s", file->name, (unsigned)place.line, (unsigned)place.column, what);
 }
 
-bool scene_fault_at(const SceneSource *source, ScenePlace place, const char *format, ...)
+bool scene_fault_at(const SceneFile *file, ScenePlace place, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    fault(source, place, format, arguments);
+    fault(file, place, format, arguments);
     va_end(arguments);
     return false;
 }
 
-// `key` may end in [0], [1] or [2].
-static SceneValue *find_value(const SceneEntry *entry, const char *key, size_t length)
-{
-    for (size_t i = 0; i < entry->value_count; i++) {
-        const char *name = entry->values[i].key->name;
-        if (strncmp(name, key, length) == 0 && name[length] == '\0')
-            return &entry->values[i];
-    }
-    return NULL;
-}
-
 bool scene_fault(const SceneEntry *entry, const char *key, const char *format, ...)
 {
-    size_t length = key ? strcspn(key, "[") : 0;
-    const SceneValue *value = key ? find_value(entry, key, length) : NULL;
+    const SceneValue *value = key ? scene_value(entry, key) : NULL;
     ScenePlace place = entry->place;
-    if (value && value->given)
-        place = key[length] ? value->part[key[length + 1] - '0'] : value->place;
+    if (value)
+        place = strchr(key, '[') ? value->part[strchr(key, '[')[1] - '0'] : value->place;
     va_list arguments;
     va_start(arguments, format);
-    fault(entry->source, place, format, arguments);
+    fault(entry->file, place, format, arguments);
     va_end(arguments);
     return false;
 }
 
 bool scene_memory_fault(const SceneEntry *entry)
 {
-    return error_set(entry->source->error, "%s: not enough memory", entry->source->file);
+    return error_set(entry->file->error, "%s: not enough memory", entry->file->name);
 }
 
-// A value of nothing for a key without a row; scene_check_use tells.
-static const SceneValue *ask(SceneEntry *entry, const char *key)
+const SceneKey *scene_row(const SceneEntry *entry, const char *key)
 {
-    static const SceneValue nothing;
-    SceneValue *value = find_value(entry, key, strlen(key));
-    if (!value) {
-        entry->without_row = key;
-        return &nothing;
+    const SceneKey *const tables[] = {entry->common, entry->type->keys};
+    for (int t = 0; t < 2; t++)
+        for (const SceneKey *row = tables[t]; row->name; row++)
+            if (strcmp(row->name, key) == 0)
+                return row;
+    return NULL;
+}
+
+SceneValue *scene_value(const SceneEntry *entry, const char *key)
+{
+    size_t length = strcspn(key, "[");
+    for (size_t i = 0; i < entry->value_count; i++) {
+        SceneValue *value = &entry->file->values[entry->first_value + i];
+        if (strncmp(value->key->name, key, length) == 0 && value->key->name[length] == '\0')
+            return value;
     }
-    value->asked = true;
+    return NULL;
+}
+
+// What the file gives; NULL, and the words of what holds otherwise, where it leaves the key out.
+static const SceneValue *ask(SceneEntry *entry, const char *key, const char **otherwise)
+{
+    SceneValue *value = scene_value(entry, key);
+    const SceneKey *row = scene_row(entry, key);
+    *otherwise = row && row->otherwise ? row->otherwise : "";
+    if (value)
+        value->asked = true;
+    if (!row)
+        entry->without_row = key;
     return value;
 }
 
@@ -72,8 +81,8 @@ bool scene_check_use(const SceneEntry *entry)
         return scene_fault(entry, NULL, "the program asks %s for '%s', which is no row of its keys", entry->type->name,
                            entry->without_row);
     for (size_t i = 0; i < entry->value_count; i++) {
-        const SceneValue *value = &entry->values[i];
-        if (value->given && !value->asked && value->key->kind != KEY_TYPE)
+        const SceneValue *value = &entry->file->values[entry->first_value + i];
+        if (!value->asked && value->key->kind != KEY_TYPE)
             return scene_fault(entry, value->key->name, "'%s' is a row of %s, but the program does not use it",
                                value->key->name, entry->type->name);
     }
@@ -82,32 +91,51 @@ bool scene_check_use(const SceneEntry *entry)
 
 bool scene_given(SceneEntry *entry, const char *key)
 {
-    return ask(entry, key)->given;
+    const char *otherwise;
+    return ask(entry, key, &otherwise) != NULL;
+}
+
+const char *scene_word(SceneEntry *entry, const char *key)
+{
+    const char *otherwise;
+    const SceneValue *value = ask(entry, key, &otherwise);
+    return value ? value->word : otherwise[0] ? otherwise : NULL;
+}
+
+static void ask_numbers(SceneEntry *entry, const char *key, double number[3])
+{
+    const char *at;
+    const SceneValue *value = ask(entry, key, &at);
+    const char *end = at + strlen(at);
+    for (int i = 0; i < 3; i++) {
+        number[i] = value ? value->number[i] : 0.0;
+        at += strspn(at, "[, ");
+        if (!value)
+            text_number(&at, end, &number[i]);
+    }
 }
 
 float scene_number(SceneEntry *entry, const char *key)
 {
-    return (float)ask(entry, key)->number[0];
+    return scene_three(entry, key).x;
 }
 
 long scene_whole(SceneEntry *entry, const char *key)
 {
-    return (long)ask(entry, key)->number[0];
+    double number[3];
+    ask_numbers(entry, key, number);
+    return (long)number[0];
 }
 
 Vec3 scene_three(SceneEntry *entry, const char *key)
 {
-    const double *number = ask(entry, key)->number;
+    double number[3];
+    ask_numbers(entry, key, number);
     return vec3((float)number[0], (float)number[1], (float)number[2]);
 }
 
 Colour scene_colour(SceneEntry *entry, const char *key)
 {
-    const double *number = ask(entry, key)->number;
-    return colour((float)number[0], (float)number[1], (float)number[2]);
-}
-
-const char *scene_word(SceneEntry *entry, const char *key)
-{
-    return ask(entry, key)->word;
+    Vec3 three = scene_three(entry, key);
+    return colour(three.x, three.y, three.z);
 }

@@ -1,4 +1,4 @@
-// An entry of the scene file as it was read: filled by scene/file, asked by the build functions (scene_key.h).
+// What a scene file says, as it was read: filled by scene/file, asked by the build functions (scene_key.h).
 #ifndef PHOTONLAB_SCENE_SCENE_ENTRY_H
 #define PHOTONLAB_SCENE_SCENE_ENTRY_H
 
@@ -12,32 +12,41 @@ typedef struct {
     uint32_t line, column; // from 1
 } ScenePlace;
 
-typedef struct {
-    const char *file;
-    Error *error;
-} SceneSource;
-
+// The value that the file gives to a key.
 typedef struct {
     const SceneKey *key;
-    bool given; // by the file
     bool asked; // for by a build function
     ScenePlace place, part[3];
-    double number[3];
-    char *word; // owned by who fills the entry
+    double number[3]; // of KEY_TYPE: the type's number
+    char *word;
 } SceneValue;
 
+typedef struct {
+    const char *name; // for messages
+    Error *error;
+    SceneEntry *entries;
+    SceneValue *values;
+    size_t entry_count, entry_capacity, value_count, value_capacity;
+} SceneFile;
+
 struct SceneEntry {
-    const SceneSource *source;
+    const SceneFile *file;
+    int section;
+    const SceneKey *common; // rows that the section has for every type
     const SceneType *type;
-    size_t type_number; // of its section
+    size_t type_number; // in its section
     ScenePlace place;
-    SceneValue *values; // one for each row of its type
-    size_t value_count;
-    const char *without_row; // a key that was asked for and is none
+    size_t first_value, value_count; // in file->values
+    const char *without_row;         // a key that was asked for and is none
 };
 
+// The row of a key; NULL: its type has none.
+const SceneKey *scene_row(const SceneEntry *entry, const char *key);
+// NULL: the file does not give this key. It may end in [0], [1] or [2].
+SceneValue *scene_value(const SceneEntry *entry, const char *key);
+
 // Writes "file:line:column: …". Always false.
-bool scene_fault_at(const SceneSource *source, ScenePlace place, const char *format, ...)
+bool scene_fault_at(const SceneFile *file, ScenePlace place, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
 #endif

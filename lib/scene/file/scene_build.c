@@ -11,7 +11,7 @@ static void *append(const SceneBuilder *builder, void *list, size_t *count, size
 {
     char *moved = array_reserve(list, *count, capacity, item_size);
     if (!moved) {
-        error_set(builder->source.error, "%s: not enough memory for lights and shapes", builder->source.file);
+        error_set(builder->file.error, "%s: not enough memory for lights and shapes", builder->file.name);
         return NULL;
     }
     memcpy(moved + *count * item_size, item, item_size);

@@ -8,39 +8,39 @@
 
 #define LARGEST_SCENE_FILE (4u << 20) // bytes; big geometry belongs into a mesh
 
-static bool build_scene(SceneBuilder *builder, const SceneList lists[SCENE_SECTIONS])
+static bool build_scene(SceneBuilder *builder)
 {
     Scene *scene = builder->scene;
     scene->materials = calloc(MAX_MATERIALS, sizeof *scene->materials);
     if (!scene->materials)
-        return error_set(builder->source.error, "%s: not enough memory", builder->source.file);
+        return error_set(builder->file.error, "%s: not enough memory", builder->file.name);
     for (int i = 0; i < SCENE_SECTIONS; i++)
-        for (size_t e = 0; e < lists[i].count; e++)
-            if (!scene_sections[i]->build(builder, &lists[i].entries[e]) || !scene_check_use(&lists[i].entries[e]))
+        for (size_t e = 0; e < builder->file.entry_count; e++) {
+            SceneEntry *entry = &builder->file.entries[e];
+            if (entry->section == i && !(scene_sections[i]->build(builder, entry) && scene_check_use(entry)))
                 return false;
+        }
     // Spheres are counted after the flats, whose number is known only now.
     for (size_t i = 0; i < scene->light_count; i++)
         if (scene->lights[i].type == LIGHT_SPHERE)
             scene->lights[i].primitive += (uint32_t)scene->flat_count;
-    scene->bvh = bvh_build(scene->flats, scene->flat_count, scene->spheres, scene->sphere_count, builder->source.error);
-    return scene->bvh ||
-           error_set(builder->source.error, "%s: not enough memory for the hierarchy", builder->source.file);
+    scene->bvh = bvh_build(scene->flats, scene->flat_count, scene->spheres, scene->sphere_count, builder->file.error);
+    return scene->bvh || error_set(builder->file.error, "%s: not enough memory for the hierarchy", builder->file.name);
 }
 
 Scene *scene_load_text(const char *text, size_t size, const char *file, const char *folder, Error *error)
 {
-    SceneList lists[SCENE_SECTIONS] = {{.given = false}};
-    SceneBuilder builder = {.source = {file, error}, .folder = folder};
-    if (scene_read(text, size, &builder.source, lists)) {
+    SceneBuilder builder = {.file = {.name = file, .error = error}, .folder = folder};
+    if (scene_read(text, size, &builder.file)) {
         builder.scene = calloc(1, sizeof *builder.scene);
         if (!builder.scene)
             error_set(error, "%s: not enough memory", file);
-        else if (!build_scene(&builder, lists)) {
+        else if (!build_scene(&builder)) {
             scene_free(builder.scene);
             builder.scene = NULL;
         }
     }
-    scene_lists_free(lists);
+    scene_file_free(&builder.file);
     return builder.scene;
 }
 

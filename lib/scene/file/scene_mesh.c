@@ -75,7 +75,7 @@ static uint32_t *mesh_materials(const SceneBuilder *builder, const ObjMesh *mesh
 {
     uint32_t *numbers = malloc((mesh->material_count + 1) * sizeof *numbers);
     if (!numbers) {
-        error_set(builder->source.error, "%s: not enough memory", path);
+        error_set(builder->file.error, "%s: not enough memory", path);
         return NULL;
     }
     numbers[mesh->material_count] = unnamed;
@@ -85,8 +85,8 @@ static uint32_t *mesh_materials(const SceneBuilder *builder, const ObjMesh *mesh
             continue;
         char suggestion[400];
         scene_suggest_material(builder, material->name, suggestion, sizeof suggestion);
-        error_set(builder->source.error, "%s:%ld: usemtl '%s' is no material of %s; %s", path, material->line,
-                  material->name, builder->source.file, suggestion);
+        error_set(builder->file.error, "%s:%ld: usemtl '%s' is no material of %s; %s", path, material->line,
+                  material->name, builder->file.name, suggestion);
         free(numbers);
         return NULL;
     }
@@ -136,7 +136,7 @@ static bool add_text(SceneBuilder *builder, SceneEntry *entry, const char *text,
     ObjMesh mesh;
     uint32_t *materials = NULL;
     Placement placement = placement_of(entry);
-    bool fine = obj_read_text(text, size, path, &mesh, builder->source.error) && place_mesh(entry, &mesh, &placement) &&
+    bool fine = obj_read_text(text, size, path, &mesh, builder->file.error) && place_mesh(entry, &mesh, &placement) &&
                 (materials = mesh_materials(builder, &mesh, path, material)) &&
                 add_mesh(builder, entry, &mesh, materials);
     free(materials);

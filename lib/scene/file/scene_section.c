@@ -1,7 +1,5 @@
 #include "scene/file/scene_section.h"
 
-#include <stdio.h>
-
 const SceneSection *const scene_sections[SCENE_SECTIONS] = {&camera_section, &render_section, &material_section,
                                                             &light_section, &shape_section};
 
@@ -14,13 +12,4 @@ const SceneKey *scene_key_at(const SceneSection *section, size_t i)
             if (i-- == 0)
                 return key;
     return NULL;
-}
-
-void scene_range_words(const SceneRange *range, char *text, size_t size)
-{
-    const char *unit = range->unit ? range->unit : "";
-    if (range->expected)
-        snprintf(text, size, "%s", range->expected);
-    else
-        snprintf(text, size, "%.10g to %.10g%s%s", range->low, range->high, unit[0] ? " " : "", unit);
 }

@@ -9,7 +9,7 @@
 
 // A scene half made.
 typedef struct {
-    SceneSource source;
+    SceneFile file;
     const char *folder;    // where meshes are looked for, with a slash at its end; NULL: none are read
     Scene *scene;          // a light's sphere counts from 0 in it until all flats are known
     size_t file_materials; // that the file names; those of shining surfaces stand behind them
@@ -33,10 +33,5 @@ extern const SceneSection camera_section, render_section, material_section, ligh
 
 // Row number i of a section, those of every type and then each type's own; NULL past the last.
 const SceneKey *scene_key_at(const SceneSection *section, size_t i);
-// Distinct names of keys that a section may have.
-#define MOST_SECTION_KEYS 64
-
-// "low to high unit", or the range's own words.
-void scene_range_words(const SceneRange *range, char *text, size_t size);
 
 #endif

@@ -18,16 +18,14 @@ ScenePlace walk_place(const SceneWalk *walk)
 
 WalkPath walk_path(const SceneWalk *walk)
 {
-    WalkPath path = {"the scene"};
-    if (!walk->section)
-        return path;
-    int used = snprintf(path.text, sizeof path.text, "%s", walk->section->name);
+    WalkPath path = {""};
+    text_append(path.text, sizeof path.text, "%s", walk->section ? walk->section->name : "the scene");
     if (walk->index >= 0)
-        used += snprintf(path.text + used, sizeof path.text - (size_t)used, "[%d]", walk->index);
+        text_append(path.text, sizeof path.text, "[%d]", walk->index);
     if (walk->key)
-        used += snprintf(path.text + used, sizeof path.text - (size_t)used, ".%.60s", walk->key);
+        text_append(path.text, sizeof path.text, ".%s", walk->key);
     if (walk->part >= 0)
-        snprintf(path.text + used, sizeof path.text - (size_t)used, "[%d]", walk->part);
+        text_append(path.text, sizeof path.text, "[%d]", walk->part);
     return path;
 }
 
@@ -48,11 +46,11 @@ static bool syntax_fault(const SceneWalk *walk)
     ScenePlace at = place_of(parser->problem_mark);
     const char *problem = parser->problem ? parser->problem : "cannot be read";
     if (parser->error == YAML_READER_ERROR)
-        return scene_fault_at(walk->source, place_of_offset(walk, parser->problem_offset),
+        return scene_fault_at(walk->file, place_of_offset(walk, parser->problem_offset),
                               "this is no text (%s); expected a scene in YAML", problem);
     if (parser->problem_mark.index < walk->size && walk->text[parser->problem_mark.index] == '\t')
-        return scene_fault_at(walk->source, at, "a tab where YAML wants spaces; indent with spaces");
-    return scene_fault_at(walk->source, at, "this is not YAML: %s%s%s", problem, parser->context ? ", " : "",
+        return scene_fault_at(walk->file, at, "a tab where YAML wants spaces; indent with spaces");
+    return scene_fault_at(walk->file, at, "this is not YAML: %s%s%s", problem, parser->context ? ", " : "",
                           parser->context ? parser->context : "");
 }
 
@@ -67,7 +65,7 @@ bool walk_kind_fault(const SceneWalk *walk, const char *expected)
     const yaml_event_t *event = &walk->event;
     char found[64] = "a list";
     if (event->type == YAML_ALIAS_EVENT)
-        return scene_fault_at(walk->source, walk_place(walk),
+        return scene_fault_at(walk->file, walk_place(walk),
                               "an alias (*name); scene files cannot repeat values by aliases");
     if (event->type == YAML_MAPPING_START_EVENT)
         snprintf(found, sizeof found, "keys with values");
@@ -75,8 +73,7 @@ bool walk_kind_fault(const SceneWalk *walk, const char *expected)
         snprintf(found, sizeof found, "nothing");
     else if (event->type == YAML_SCALAR_EVENT)
         snprintf(found, sizeof found, "'%.50s'", (const char *)event->data.scalar.value);
-    return scene_fault_at(walk->source, walk_place(walk), "%s is %s; expected %s", walk_path(walk).text, found,
-                          expected);
+    return scene_fault_at(walk->file, walk_place(walk), "%s is %s; expected %s", walk_path(walk).text, found, expected);
 }
 
 // The scalar at hand; NULL, with the fault told, when something else stands there.
@@ -100,7 +97,7 @@ static bool read_number(const SceneWalk *walk, bool whole, double *number)
     if (!text_number(&at, end, number) || at != end || (whole && (octal || word[strspn(word, "+-0123456789")])))
         return walk_kind_fault(walk, expected);
     if (fabs(*number) > SCENE_LARGEST_NUMBER)
-        return scene_fault_at(walk->source, walk_place(walk), "%s is %.40s; expected a number between -1e9 and 1e9",
+        return scene_fault_at(walk->file, walk_place(walk), "%s is %.40s; expected a number between -1e9 and 1e9",
                               walk_path(walk).text, word);
     *number = whole ? *number : (double)(float)*number;
     return true;
@@ -124,7 +121,7 @@ static bool read_three(SceneWalk *walk, SceneValue *value)
     walk->part = -1;
     if (walk->event.type != YAML_SEQUENCE_END_EVENT)
         return false;
-    return count == 3 || scene_fault_at(walk->source, value->place, "%s has %d number%s; expected 3",
+    return count == 3 || scene_fault_at(walk->file, value->place, "%s has %d number%s; expected 3",
                                         walk_path(walk).text, count, count == 1 ? "" : "s");
 }
 
@@ -136,7 +133,7 @@ static bool read_word(const SceneWalk *walk, SceneValue *value)
     if (!word[0] || strlen(word) != walk->event.data.scalar.length)
         return walk_kind_fault(walk, "a word");
     value->word = strdup(word);
-    return value->word || error_set(walk->source->error, "%s: not enough memory", walk->source->file);
+    return value->word || error_set(walk->file->error, "%s: not enough memory", walk->file->name);
 }
 
 static const char *type_name(const void *section, size_t i)
@@ -157,7 +154,7 @@ static bool read_type(const SceneWalk *walk, SceneValue *value)
     }
     char suggestion[300];
     text_suggest(suggestion, sizeof suggestion, word, type_name, walk->section);
-    return scene_fault_at(walk->source, walk_place(walk), "%s is '%.50s'; %s", walk_path(walk).text, word, suggestion);
+    return scene_fault_at(walk->file, walk_place(walk), "%s is '%.50s'; %s", walk_path(walk).text, word, suggestion);
 }
 
 bool walk_read_value(SceneWalk *walk, SceneValue *value)

@@ -12,7 +12,7 @@ typedef struct {
     yaml_event_t event; // at hand
     const char *text;
     size_t size;
-    const SceneSource *source;
+    SceneFile *file;
     const SceneSection *section; // NULL: none yet
     int index;                   // of the entry; −1: not in a list
     const char *key;             // whose value is read; NULL: none
