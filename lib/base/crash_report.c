@@ -1,7 +1,9 @@
 #define _GNU_SOURCE // REG_RIP
 #include "base/crash_report.h"
 
+#include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -15,6 +17,7 @@
 #endif
 
 static char *stack_top; // somewhere near the stack's beginning
+static void (*tell_crash)(const Crash *crash);
 
 char *crash_put_text(char *to, const char *text)
 {
@@ -78,14 +81,22 @@ static bool is_below_stack(int number, const char *address, const char *stack)
     return stack ? address >= stack - (64 << 10) : depth < (64 << 20);
 }
 
-CrashPlace crash_place(int number, const siginfo_t *info, void *context)
+static void on_signal(int number, siginfo_t *info, void *context)
 {
-    CrashPlace where;
+    Crash crash = {
+        .signal = number, .reason = errno, .address = (unsigned long long)(size_t)info->si_addr, .syscall = -1};
+    for (int other = 1; other < 32; other++)
+        signal(other, SIG_DFL);
     char *stack;
-    read_context(context, &where.place, &stack);
-    where.stack_far = is_below_stack(number, info->si_addr, stack);
-    where.peak_kb = crash_peak_kb();
-    return where;
+    read_context(context, &crash.place, &stack);
+    crash.stack_far = is_below_stack(number, info->si_addr, stack);
+    crash.peak_kb = crash_peak_kb();
+#if defined(__linux__) && defined(si_syscall)
+    if (number == SIGSYS && info->si_code == 1) // SYS_SECCOMP, which not every header has
+        crash.syscall = info->si_syscall;
+#endif
+    tell_crash(&crash);
+    _exit(128 + number); // not by the signal itself, which the first process of a namespace does not die of
 }
 
 int crash_frames(const char *place, void *frames[CRASH_FRAMES])
@@ -101,20 +112,21 @@ int crash_frames(const char *place, void *frames[CRASH_FRAMES])
     return count - first;
 }
 
-void crash_watch(CrashHandler handler, const int *signals, size_t count)
+void crash_watch(void (*tell)(const Crash *crash), const int *signals, size_t count)
 {
-    static char handler_stack[64 << 10];
+    static char own_stack[64 << 10];
     char here;
     stack_top = &here;
+    tell_crash = tell;
 #ifdef HAS_BACKTRACE
     void *first[1];
     backtrace(first, 1); // the first call loads a library, which a handler must not
 #endif
-    stack_t stack = {.ss_sp = handler_stack, .ss_size = sizeof handler_stack};
+    stack_t stack = {.ss_sp = own_stack, .ss_size = sizeof own_stack};
     sigaltstack(&stack, NULL);
     struct sigaction action;
     memset(&action, 0, sizeof action);
-    action.sa_sigaction = handler;
+    action.sa_sigaction = on_signal;
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;
     for (size_t i = 0; i < count; i++)
         sigaction(signals[i], &action, NULL);

@@ -3,22 +3,21 @@
 #ifndef PHOTONLAB_BASE_CRASH_REPORT_H
 #define PHOTONLAB_BASE_CRASH_REPORT_H
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
-typedef void (*CrashHandler)(int number, siginfo_t *info, void *context);
-
-// The handler runs for these signals, on a stack of its own: the usual one may be what ran out. To be called not far
-// from where the stack begins.
-void crash_watch(CrashHandler handler, const int *signals, size_t count);
-
 typedef struct {
+    int signal, reason;         // reason: errno, from before
+    unsigned long long address; // that was touched, where the signal has one
+    long long syscall;          // that was forbidden, −1: none
     char *place;                // the instruction; NULL where this system's way to tell is not known
     bool stack_far;             // it touched what lies below the stack: a recursion without end, too large an array
     unsigned long long peak_kb; // crash_peak_kb
-} CrashPlace;
-CrashPlace crash_place(int number, const siginfo_t *info, void *context);
+} Crash;
+
+// Each of these signals is told, on a stack of its own, as the usual one may be what ran out; then the process ends with
+// 128 + signal. A second one ends it at once. To be called not far from where the stack begins.
+void crash_watch(void (*tell)(const Crash *crash), const int *signals, size_t count);
 
 // The most memory that the process has had, kB; 0 where the system does not tell.
 unsigned long long crash_peak_kb(void);

@@ -85,6 +85,37 @@ bool text_number(const char **at, const char *end, double *value)
     return true;
 }
 
+static bool is_letter(char c)
+{
+    return isalnum((unsigned char)c) || c == '_';
+}
+
+const char *text_find_word(const char *source, const char *word)
+{
+    size_t length = strlen(word);
+    for (const char *c = source; *c; c++) {
+        if (c[0] == '/' && c[1] == '/') {
+            c += strcspn(c, "\n") - 1;
+        } else if (c[0] == '/' && c[1] == '*') {
+            const char *end = strstr(c + 2, "*/");
+            if (!end)
+                return NULL;
+            c = end + 1;
+        } else if (strncmp(c, word, length) == 0 && !is_letter(c[length]) && (c == source || !is_letter(c[-1]))) {
+            return c;
+        }
+    }
+    return NULL;
+}
+
+int text_line_of(const char *text, const char *at)
+{
+    int line = 1;
+    for (; text < at; text++)
+        line += *text == '\n';
+    return line;
+}
+
 size_t text_distance(const char *a, const char *b)
 {
     size_t row[64], length = strlen(b);

@@ -15,6 +15,10 @@ char *text_read_file(const char *path, size_t max, size_t *size, Error *error);
 // Too large a number gives infinity. False, and *at stays, when there is no number; 0x10, nan and inf are no numbers.
 bool text_number(const char **at, const char *end, double *value);
 
+// Where a word of C first stands by itself, comments aside; NULL: nowhere. And the number of the line that `at` lies in.
+const char *text_find_word(const char *source, const char *word);
+int text_line_of(const char *text, const char *at);
+
 // Levenshtein 1966: the fewest letters inserted, removed or replaced that turn a into b, capital or not. 64 where one of
 // them is that long.
 size_t text_distance(const char *a, const char *b);
@@ -27,11 +31,7 @@ typedef const char *(*TextNameAt)(const void *list, size_t i);
 void text_suggest(char *message, size_t size, const char *word, TextNameAt name_at, const void *list);
 
 // snprintf behind the text that is there already; cut off at the end of `size` bytes.
-void text_append(char *text, size_t size, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 3, 4)))
-#endif
-    ;
+void text_append(char *text, size_t size, const char *format, ...) PRINTF_LIKE(3, 4);
 
 // Makes control characters, which could upset a terminal, into '?'.
 void text_make_printable(char *text);

@@ -1,8 +1,10 @@
 // Why a worker failed, in one sentence for the student.
 #define _GNU_SOURCE
 #include "preview/run/broker.h"
+#include "base/crash_words.h"
+#include "base/file.h"
+#include "base/text.h"
 
-#include <ctype.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
@@ -11,6 +13,8 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#define MOST_PLACES 16
 
 extern char **environ;
 
@@ -55,26 +59,16 @@ int failure_look_up(const Failure *failure, pid_t *looker)
     return -1;
 }
 
-// addr2line's answer: two lines a place, the function and FILE:LINE; what was inlined comes first.
+// A place in a header is the library's, built into the step.
 static void read_answer(const char *text, Spot *spot)
 {
-    while (*text) {
-        size_t name = strcspn(text, ".\n"), first = strcspn(text, "\n");
-        const char *second = text + first + (text[first] == '\n');
-        const char *end = second + strcspn(second, "\n"), *colon = end;
-        while (colon > second && *colon != ':')
-            colon--;
-        const char *slash = colon;
-        while (slash > second && slash[-1] != '/')
-            slash--;
-        bool theirs = (size_t)(colon - slash) == strlen(spot->file) &&
-                      strncmp(slash, spot->file, strlen(spot->file)) == 0 && text[0] != '?';
-        if (theirs) { // not a header of the library, built into the step
-            spot->line = atoi(colon + 1);
-            snprintf(spot->function, sizeof spot->function, "%.*s", (int)(name < 100 ? name : 100), text);
-            return;
-        }
-        text = end + (*end == '\n');
+    SourcePlace places[MOST_PLACES];
+    int count = crash_places(text, places, MOST_PLACES);
+    for (int i = 0; i < count && spot->line == 0; i++) {
+        if (strcmp(places[i].file, spot->file) != 0)
+            continue;
+        spot->line = places[i].line;
+        snprintf(spot->function, sizeof spot->function, "%s", places[i].function);
     }
 }
 
@@ -110,10 +104,8 @@ static void describe_crash(const Failure *failure, char *what, size_t size)
     const WireCrash *crash = &failure->crash;
     if (crash->signal == 0)
         snprintf(what, size, "called exit, which ends the whole program");
-    else if (crash->stack_far && crash->calls_itself)
-        snprintf(what, size, "the stack overflowed: it calls itself without end");
     else if (crash->stack_far)
-        snprintf(what, size, "the stack overflowed: a very large array, or calls without end?");
+        crash_describe_stack(NULL, crash->calls_itself ? "it" : NULL, what, size);
     else if (is_out_of_memory(failure) && failure->stuck && !crash->refused)
         snprintf(what, size, "asked for ever more memory: %.1f GB when it was stopped",
                  (double)crash->grown_kb / (1024.0 * 1024.0));
@@ -122,16 +114,10 @@ static void describe_crash(const Failure *failure, char *what, size_t size)
     else if (failure->stuck)
         snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", failure->patience,
                  unit_of_work(failure->kind));
-    else if (crash->signal == SIGSEGV || crash->signal == SIGBUS)
-        snprintf(what, size, "segmentation fault: an address that is not yours%s",
-                 crash->address < 4096 ? " (a null pointer, or an index far beyond an array?)"
-                                       : " (beyond the end of an array?)");
-    else if (crash->signal == SIGFPE)
-        snprintf(what, size, "an integer was divided by 0");
     else if (crash->signal == SIGABRT)
         snprintf(what, size, "abort() was called (an assertion, or memory freed twice? The terminal may tell)");
     else
-        snprintf(what, size, "it came to a place that right code never reaches (signal %d)", crash->signal);
+        crash_describe_signal(crash->signal, crash->address, "", what, size);
 }
 
 static void describe_end(const Failure *failure, char *text, size_t size)
@@ -151,25 +137,20 @@ static void describe_end(const Failure *failure, char *text, size_t size)
         snprintf(text, size, "a step ended the program (exit code %d) before the run was done", WEXITSTATUS(status));
 }
 
-// The last line of the file that has this word: what is used is declared before.
+// The last line of the file that has this word: what is used is declared before. 0: none.
 static int find_line(const char *folder, const StepInfo *step, const char *word)
 {
-    char path[4608], line[4096];
+    char path[4608];
+    size_t size;
+    Error ignored = {""};
     snprintf(path, sizeof path, "%s/%s.c", folder, step->file);
-    FILE *file = fopen(path, "r");
-    int number = 0, found = 0;
-    size_t length = strlen(word);
-    while (file && fgets(line, sizeof line, file)) {
-        number++;
-        for (const char *at = line; (at = strstr(at, word)); at++) {
-            char before = at > line ? at[-1] : ' ', after = at[length];
-            if (!isalnum((unsigned char)before) && !isalnum((unsigned char)after) && before != '_' && after != '_')
-                found = number;
-        }
-    }
-    if (file)
-        fclose(file);
-    return found;
+    char *text = file_read(path, 1u << 20, &size, &ignored);
+    const char *last = NULL;
+    for (const char *at = text; at && (at = text_find_word(at, word)); at++)
+        last = at;
+    int line = last ? text_line_of(text, last) : 0;
+    free(text);
+    return line;
 }
 
 static void describe_missing(const Failure *failure, const StepInfo *step, const char *symbol, char *text, size_t size)

@@ -78,7 +78,7 @@ typedef struct {
 
 typedef struct {
     int signal;     // SIGUSR1: it was asked where it is; 0: exit() was called
-    bool stack_far; // see CrashPlace
+    bool stack_far; // see Crash
     bool calls_itself;
     bool refused;                // the last that failed was to get memory
     unsigned long long grown_kb; // memory since the work began

@@ -4,6 +4,7 @@
 
 #include <dlfcn.h>
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -62,20 +63,15 @@ static void tell(WireCrash *crash, char *place)
     worker_send(WIRE_CRASH, crash, sizeof *crash);
 }
 
-static void on_signal(int number, siginfo_t *info, void *context)
+static void tell_signal(const Crash *at)
 {
     static WireCrash crash;
-    int reason = errno;
-    for (int other = 1; other < 32; other++) // a second fault in here ends it at once
-        signal(other, SIG_DFL);
-    CrashPlace where = crash_place(number, info, context);
-    crash.signal = number;
-    crash.stack_far = where.stack_far;
-    crash.refused = reason == ENOMEM;
-    crash.grown_kb = where.peak_kb > peak_before ? where.peak_kb - peak_before : 0;
-    crash.address = (unsigned long long)(size_t)info->si_addr;
-    tell(&crash, where.place);
-    _exit(128 + number);
+    crash.signal = at->signal;
+    crash.stack_far = at->stack_far;
+    crash.refused = at->reason == ENOMEM;
+    crash.grown_kb = at->peak_kb > peak_before ? at->peak_kb - peak_before : 0;
+    crash.address = at->address;
+    tell(&crash, at->place);
 }
 
 static void on_exit_call(void)
@@ -94,7 +90,7 @@ void worker_watch(const char *code)
         snprintf(student, sizeof student, "%s/", code);
     peak_before = crash_peak_kb();
     const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTRAP, SIGUSR1};
-    crash_watch(on_signal, signals, sizeof signals / sizeof *signals);
+    crash_watch(tell_signal, signals, sizeof signals / sizeof *signals);
     atexit(on_exit_call);
 }
 

@@ -1,4 +1,5 @@
 #include "judge/grade/crash.h"
+#include "base/crash_words.h"
 
 #include <seccomp.h>
 #include <signal.h>
@@ -19,12 +20,6 @@ typedef struct {
     int frame_count;
     char step[8]; // of several; ""
 } LastWords;
-
-// Where the code was, innermost first.
-typedef struct {
-    char function[128];
-    int line;
-} Place;
 
 static const char *find_last(const char *text, const char *word)
 {
@@ -69,26 +64,19 @@ static void read_last_words(const char *text, LastWords *words)
     }
 }
 
-// addr2line's answer: two lines a place, the function and FILE:LINE.
-static int read_places(const char *text, Place *places)
+// Places in headers are the library's, built into the step.
+static int leave_out_headers(SourcePlace *places, int count)
 {
-    int count = 0;
-    while (count < MOST_PLACES && *text) {
-        size_t name = strcspn(text, ".\n"), first = strcspn(text, "\n");
-        const char *second = text + first + (text[first] == '\n');
-        const char *end = second + strcspn(second, "\n"), *colon = end;
-        while (colon > second && *colon != ':')
-            colon--;
-        places[count] = (Place){.line = *colon == ':' ? atoi(colon + 1) : 0};
-        snprintf(places[count].function, sizeof places[count].function, "%.*s", (int)(name < 100 ? name : 100), text);
-        bool header = colon - second > 2 && strncmp(colon - 2, ".h", 2) == 0; // the library's, built into the step
-        count += text[0] != '?' && !header;
-        text = end + (*end == '\n');
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+        size_t length = strlen(places[i].file);
+        if (length < 2 || strcmp(places[i].file + length - 2, ".h") != 0)
+            places[kept++] = places[i];
     }
-    return count;
+    return kept;
 }
 
-static int find_places(const GradeOptions *options, const LastWords *words, const char *object, Place *places)
+static int find_places(const GradeOptions *options, const LastWords *words, const char *object, SourcePlace *places)
 {
     const char *arguments[7 + MOST_PLACES] = {"addr2line", "-f", "-i", "-e", object};
     SandboxRun run = {.arguments = arguments,
@@ -104,7 +92,7 @@ static int find_places(const GradeOptions *options, const LastWords *words, cons
         arguments[5 + i] = words->frames[i];
     int count = 0;
     if (ran && words->frame_count > 0 && sandbox_run(options->sandbox, &run, ran, NULL) && ran->exit_code == 0)
-        count = read_places(ran->text, places);
+        count = leave_out_headers(places, crash_places(ran->text, places, MOST_PLACES));
     free(ran);
     return count;
 }
@@ -151,21 +139,13 @@ static void describe_abort(const char *text, const char *place, char *message, s
         snprintf(message, size, "abort() was called%s", place);
 }
 
-static void describe_fault(const LastWords *words, const Place *places, int count, const char *place, char *message,
-                           size_t size)
+static void describe_overflow(const SourcePlace *places, int count, char *message, size_t size)
 {
-    bool again = false;
+    const char *caller = NULL;
     for (int i = 1; i < count; i++)
-        again = again || strcmp(places[i].function, places[0].function) == 0;
-    if (words->stack_overflow && again)
-        snprintf(message, size, "the stack overflowed: %s calls itself without end", places[0].function);
-    else if (words->stack_overflow) // compilers make room for arrays on different lines
-        snprintf(message, size, "the stack overflowed%s%s: a very large array, or calls without end?",
-                 count > 0 ? " in " : "", count > 0 ? places[0].function : "");
-    else
-        snprintf(message, size, "segmentation fault%s: an address that is not yours%s", place,
-                 words->address < 4096 ? " (a null pointer, or an index far beyond an array?)"
-                                       : " (beyond the end of an array?)");
+        if (strcmp(places[i].function, places[0].function) == 0)
+            caller = places[0].function;
+    crash_describe_stack(count > 0 ? places[0].function : NULL, caller, message, size);
 }
 
 // It ended by itself, but too early.
@@ -186,7 +166,7 @@ static void describe_exit(const SandboxResult *ran, char *message, size_t size)
 
 // Limits as they are for the usual machine, so that the words are the same on a slow one.
 static void describe_signal(const GradeOptions *options, const SandboxResult *ran, const LastWords *words,
-                            const Place *places, int count, char *message, size_t size)
+                            const SourcePlace *places, int count, char *message, size_t size)
 {
     int number = words->signal ? words->signal : ran->signal;
     char place[256] = "", in[160] = "";
@@ -210,23 +190,21 @@ static void describe_signal(const GradeOptions *options, const SandboxResult *ra
     else if (number == SIGSYS)
         snprintf(message, size, "it tried something that is not allowed here%s: %s", place,
                  describe_call(words->syscall));
-    else if (number == SIGSEGV || number == SIGBUS)
-        describe_fault(words, places, count, place, message, size);
+    else if ((number == SIGSEGV || number == SIGBUS) && words->stack_overflow)
+        describe_overflow(places, count, message, size);
     else if (number == SIGABRT)
         describe_abort(ran->text, place, message, size);
-    else if (number == SIGFPE)
-        snprintf(message, size, "an integer was divided by 0%s", place);
     else if (number == SIGXFSZ)
         snprintf(message, size, "it wrote more than there is room for%s", place);
     else
-        snprintf(message, size, "it came to a place that right code never reaches%s (signal %d)", place, number);
+        crash_describe_signal(number, words->address, place, message, size);
 }
 
 void crash_describe(const GradeOptions *options, const SandboxResult *ran, const char *object, const char *symbol,
                     StepWords *told)
 {
     LastWords words;
-    Place places[MOST_PLACES];
+    SourcePlace places[MOST_PLACES];
     read_last_words(ran->text, &words);
     char one_of_several[4096];
     if (!object) {

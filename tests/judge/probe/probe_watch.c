@@ -77,32 +77,24 @@ static void send_frames(char *place)
     send(line, to);
 }
 
-static void report_crash(int number, siginfo_t *info, void *context)
+static void report_crash(const Crash *crash)
 {
     char line[512];
-    // A second fault in here, or an alarm, ends it at once.
-    for (int other = 1; other < 32; other++)
-        signal(other, SIG_DFL);
-    CrashPlace where = crash_place(number, info, context);
     char *to = crash_put_text(line, "\nphotonlab-crash signal=");
-    to = crash_put_number(to, (unsigned long long)number, 10);
+    to = crash_put_number(to, (unsigned long long)crash->signal, 10);
     to = crash_put_text(to, " case=");
     to = crash_put_number(to, probe_case < 0 ? 0 : (unsigned long long)probe_case, 10);
     to = crash_put_text(to, " address=0x");
-    to = crash_put_number(to, (unsigned long long)(size_t)info->si_addr, 16);
-    to = crash_put_text(to, where.stack_far ? " stack=far" : " stack=near");
-#if defined(__linux__) && defined(si_syscall)
-    if (number == SIGSYS && info->si_code == 1) { // SYS_SECCOMP, which not every header has
+    to = crash_put_number(to, crash->address, 16);
+    to = crash_put_text(to, crash->stack_far ? " stack=far" : " stack=near");
+    if (crash->syscall >= 0) {
         to = crash_put_text(to, " syscall=");
-        to = crash_put_number(to, (unsigned long long)info->si_syscall, 10);
+        to = crash_put_number(to, (unsigned long long)crash->syscall, 10);
     }
-#endif
     to = crash_put_text(to, " peak_kb=");
-    to = crash_put_number(to, where.peak_kb, 10);
+    to = crash_put_number(to, crash->peak_kb, 10);
     send(line, to);
-    send_frames(where.place);
-    // Not by the signal itself, which the first process of a namespace does not die of.
-    _exit(128 + number);
+    send_frames(crash->place);
 }
 
 // The judge's filter cannot forbid exec, as it holds before this very program is started. From now on it can.

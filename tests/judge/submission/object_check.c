@@ -4,7 +4,6 @@
 #include "base/file.h"
 #include "base/text.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,30 +77,11 @@ static const struct {
     {"siglongjmp", RUNTIME},
 };
 
-static bool is_word(char c)
-{
-    return isalnum((unsigned char)c) || c == '_';
-}
-
-// The line where a name first stands in the source, comments aside; 0: nowhere.
+// 0: nowhere.
 static int find_line(const char *source, const char *name)
 {
-    size_t length = strlen(name);
-    int line = 1;
-    for (const char *c = source; *c; c++) {
-        if (c[0] == '/' && c[1] == '/') {
-            c += strcspn(c, "\n") - 1;
-        } else if (c[0] == '/' && c[1] == '*') {
-            for (c += 2; *c && !(c[0] == '*' && c[1] == '/'); c++)
-                line += *c == '\n';
-            if (!*c)
-                return 0;
-        } else if (strncmp(c, name, length) == 0 && !is_word(c[length]) && (c == source || !is_word(c[-1]))) {
-            return line;
-        }
-        line += *c == '\n';
-    }
-    return 0;
+    const char *found = text_find_word(source, name);
+    return found ? text_line_of(source, found) : 0;
 }
 
 static void say_where(const StepInfo *step, int line, StepWords *words)

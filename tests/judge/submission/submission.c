@@ -1,6 +1,7 @@
 // What a look at a submission's files tells, before anything is compiled.
 #include "judge/submission/submission.h"
 #include "base/file.h"
+#include "base/text.h"
 
 #include <ctype.h>
 #include <dirent.h>
@@ -86,16 +87,6 @@ static bool same_words(const char *a, const char *b)
     }
 }
 
-// The line that calls todo; comments are not looked at more closely than that.
-static int line_of_todo(const char *text)
-{
-    const char *found = strstr(text, "todo(");
-    int line = 1;
-    for (const char *c = text; found && c < found; c++)
-        line += *c == '\n';
-    return found ? line : 0;
-}
-
 void submission_note_todo(const GradeOptions *options, const StepInfo *step, const char *source, StepWords *words)
 {
     char path[4200];
@@ -104,13 +95,13 @@ void submission_note_todo(const GradeOptions *options, const StepInfo *step, con
     snprintf(path, sizeof path, "%s/exercises/.stubs/%s.c", options->root, step->file);
     char *stub = file_read(path, 1u << 20, &size, &ignored);
     char *text = file_read(source, 1u << 20, &size, &ignored);
-    int line = text ? line_of_todo(text) : 0;
-    if (stub && text && line > 0 && !same_words(stub, text))
+    const char *call = text ? strstr(text, "todo(") : NULL; // a comment may hold it, too
+    if (stub && call && !same_words(stub, text))
         words_say(
             words, STATUS_TODO,
             "there is code of yours, but line %d still calls todo(), which says that it is not started: take that "
             "line away",
-            line);
+            text_line_of(text, call));
     free(stub);
     free(text);
 }
