@@ -1,6 +1,7 @@
 // PFM (Debevec 2001): three lines of text, "PF" or "Pf" (three channels or one), "width height", and a scale
 // whose sign tells the byte order (negative: little-endian); then 32-bit floats, the bottom row first.
 #include "image/codec.h"
+#include "base/text.h"
 
 #include <errno.h>
 #include <stdint.h>
@@ -61,24 +62,11 @@ static bool read_side(Header *header, unsigned long *side, const char *expected)
     return true;
 }
 
-// A decimal number other than zero. Not by strtod, which wants a comma for the point in some countries.
 static bool is_scale(const char *text)
 {
-    const char *digits = "0123456789";
-    text += *text == '-' || *text == '+';
-    size_t mantissa = strspn(text, "0123456789.");
-    size_t whole = strspn(text, digits);
-    size_t fraction = text[whole] == '.' ? strspn(text + whole + 1, digits) : 0;
-    size_t length = whole + fraction + (text[whole] == '.');
-    bool zero = strspn(text, "0.") == mantissa; // true also for no digits at all
-    if (zero || length != mantissa)
-        return false;
-    text += mantissa;
-    if (*text != 'e' && *text != 'E')
-        return *text == '\0';
-    text += 1 + (text[1] == '-' || text[1] == '+');
-    size_t exponent = strspn(text, digits);
-    return exponent > 0 && text[exponent] == '\0';
+    const char *end = text + strlen(text);
+    double scale;
+    return text_number(&text, end, &scale) && text == end && scale != 0.0;
 }
 
 static float read_float(const unsigned char *b, bool little)

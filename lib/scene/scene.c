@@ -32,16 +32,21 @@ static Vec3 interpolated_normal(const Scene *scene, const Flat *flat, const BvhH
     return vec3_normalize(vec3_along(sum, corner[2], at->v));
 }
 
+// `outside`: the surface's own normal.
+static void set_side(const Ray *ray, Vec3 outside, Hit *hit)
+{
+    hit->entering = vec3_dot(ray->direction, outside) < 0.0f;
+    hit->face_normal = hit->entering ? outside : vec3_negate(outside);
+    hit->normal = hit->face_normal;
+}
+
 static void fill_flat(const Scene *scene, const Ray *ray, const BvhHit *at, Hit *hit)
 {
     const Flat *flat = &scene->flats[at->primitive];
     hit->material = &scene->materials[flat->material];
     // The point from the surface's own coordinates: closer to the surface than origin + t·direction.
     hit->position = vec3_along(vec3_along(flat->origin, flat->edge_u, at->u), flat->edge_v, at->v);
-    Vec3 outside = vec3_normalize(vec3_cross(flat->edge_u, flat->edge_v));
-    hit->entering = vec3_dot(ray->direction, outside) < 0.0f;
-    hit->face_normal = hit->entering ? outside : vec3_negate(outside);
-    hit->normal = hit->face_normal;
+    set_side(ray, vec3_normalize(vec3_cross(flat->edge_u, flat->edge_v)), hit);
     if (!flat->normals || material_is_rough(hit->material))
         return;
     Vec3 smooth = interpolated_normal(scene, flat, at);
@@ -57,9 +62,7 @@ static void fill_sphere(const Scene *scene, const Ray *ray, const BvhHit *at, Hi
     Vec3 from_centre = vec3_sub(vec3_along(ray->origin, ray->direction, at->t), sphere->centre);
     Vec3 outside = vec3_normalize(from_centre);
     hit->position = vec3_along(sphere->centre, outside, sphere->radius);
-    hit->entering = vec3_dot(ray->direction, outside) < 0.0f;
-    hit->face_normal = hit->entering ? outside : vec3_negate(outside);
-    hit->normal = hit->face_normal;
+    set_side(ray, outside, hit);
 }
 
 bool scene_intersect(const Scene *scene, const Ray *ray, Hit *hit)

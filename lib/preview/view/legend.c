@@ -32,10 +32,7 @@ static int list_materials(const Scene *scene, bool all, LegendEntry *entries)
         if (!all && !material_is_rough(material))
             continue;
         entries[count].colour = palette_material((int)i);
-        snprintf(entries[count].text, sizeof entries[count].text, "%.24s",
-                 material->name[0]                  ? material->name
-                 : material->type == MATERIAL_LIGHT ? "lamp"
-                                                    : "(no name)");
+        snprintf(entries[count].text, sizeof entries[count].text, "%.24s", material->name);
         count++;
     }
     return count;

@@ -24,9 +24,9 @@ void *bvh_allocate(size_t bytes)
     return memory;
 }
 
-static Reference reference_create(Vec3 low, Vec3 high, size_t id)
+static Reference reference_create(Box box, size_t id)
 {
-    Reference r = {{low.x, low.y, low.z, 0.0f}, {high.x, high.y, high.z, 0.0f}};
+    Reference r = {{box.low.x, box.low.y, box.low.z, 0.0f}, {box.high.x, box.high.y, box.high.z, 0.0f}};
     for (int axis = 0; axis < 3; axis++) {
         float reach = fmaxf(fabsf(r.low[axis]), fabsf(r.high[axis]));
         float pad = BOX_PADDING * reach + EDGE_SLACK * (r.high[axis] - r.low[axis]);
@@ -38,8 +38,18 @@ static Reference reference_create(Vec3 low, Vec3 high, size_t id)
     return r;
 }
 
-static Reference flat_reference(const Flat *flat, size_t id)
+// All flats or all spheres.
+typedef struct Shapes {
+    const void *items;
+    size_t count, first_id; // their numbers as primitives
+    Box (*box)(const void *items, size_t i);
+    void (*pack)(const struct Shapes *shapes, const Reference *references, Run run, void *packet);
+    size_t packet_size;
+} Shapes;
+
+static Box flat_box(const void *flats, size_t i)
 {
+    const Flat *flat = (const Flat *)flats + i;
     Box box = box_empty();
     Vec3 u = vec3_add(flat->origin, flat->edge_u);
     box_add_point(&box, flat->origin);
@@ -47,115 +57,90 @@ static Reference flat_reference(const Flat *flat, size_t id)
     box_add_point(&box, vec3_add(flat->origin, flat->edge_v));
     if (!flat->is_triangle)
         box_add_point(&box, vec3_add(u, flat->edge_v));
-    return reference_create(box.low, box.high, id);
+    return box;
 }
 
-static Reference sphere_reference(const Sphere *sphere, size_t id)
+static Box sphere_box(const void *spheres, size_t i)
 {
+    const Sphere *sphere = (const Sphere *)spheres + i;
     Vec3 radius = vec3(sphere->radius, sphere->radius, sphere->radius);
-    return reference_create(vec3_sub(sphere->centre, radius), vec3_add(sphere->centre, radius), id);
+    return (Box){vec3_sub(sphere->centre, radius), vec3_add(sphere->centre, radius)};
 }
 
-static FlatPacket flat_packet(const Flat *flats, const Reference *references, Run run)
+static void pack_flats(const Shapes *shapes, const Reference *references, Run run, void *packet)
 {
-    FlatPacket packet = {.id = {TRIANGLE - 1, TRIANGLE - 1, TRIANGLE - 1, TRIANGLE - 1}};
+    FlatPacket *to = packet;
+    *to = (FlatPacket){.id = {TRIANGLE - 1, TRIANGLE - 1, TRIANGLE - 1, TRIANGLE - 1}};
     for (uint32_t lane = 0; lane < run.count; lane++) {
         uint32_t id = reference_id(&references[run.first + lane]);
-        const Flat *flat = &flats[id];
+        const Flat *flat = (const Flat *)shapes->items + id;
         for (int axis = 0; axis < 3; axis++) {
-            packet.origin[axis][lane] = vec3_component(flat->origin, axis);
-            packet.edge_u[axis][lane] = vec3_component(flat->edge_u, axis);
-            packet.edge_v[axis][lane] = vec3_component(flat->edge_v, axis);
+            to->origin[axis][lane] = vec3_component(flat->origin, axis);
+            to->edge_u[axis][lane] = vec3_component(flat->edge_u, axis);
+            to->edge_v[axis][lane] = vec3_component(flat->edge_v, axis);
         }
-        packet.id[lane] = flat->is_triangle ? id | TRIANGLE : id;
+        to->id[lane] = flat->is_triangle ? id | TRIANGLE : id;
     }
-    return packet;
 }
 
-// The spheres' numbers begin at first_id.
-static SpherePacket sphere_packet(const Sphere *spheres, size_t first_id, const Reference *references, Run run)
+static void pack_spheres(const Shapes *shapes, const Reference *references, Run run, void *packet)
 {
-    SpherePacket packet = {.radius2 = {-1.0f, -1.0f, -1.0f, -1.0f}, .id = {TRIANGLE, TRIANGLE, TRIANGLE, TRIANGLE}};
+    SpherePacket *to = packet;
+    *to = (SpherePacket){.radius2 = {-1.0f, -1.0f, -1.0f, -1.0f}, .id = {TRIANGLE, TRIANGLE, TRIANGLE, TRIANGLE}};
     for (uint32_t lane = 0; lane < run.count; lane++) {
         uint32_t index = reference_id(&references[run.first + lane]);
+        const Sphere *sphere = (const Sphere *)shapes->items + index;
         for (int axis = 0; axis < 3; axis++)
-            packet.centre[axis][lane] = vec3_component(spheres[index].centre, axis);
-        packet.radius2[lane] = spheres[index].radius * spheres[index].radius;
-        packet.id[lane] = (uint32_t)first_id + index;
+            to->centre[axis][lane] = vec3_component(sphere->centre, axis);
+        to->radius2[lane] = sphere->radius * sphere->radius;
+        to->id[lane] = (uint32_t)shapes->first_id + index;
     }
-    return packet;
 }
 
-static bool build_flats(Bvh *bvh, const Flat *flats, size_t count)
+// The tree over the shapes, and its packets, which the caller owns; NULL when memory is short.
+static void *build_tree(const Shapes *shapes, Tree *tree)
 {
-    Reference *references = bvh_allocate(count * sizeof *references);
+    Reference *references = bvh_allocate(shapes->count * sizeof *references);
     Run *runs = NULL;
+    char *packets = NULL;
     if (references) {
-        OMP(omp parallel for schedule(static) if (count > TASK_COUNT))
-        for (size_t i = 0; i < count; i++)
-            references[i] = flat_reference(&flats[i], i);
+        OMP(omp parallel for schedule(static) if (shapes->count > TASK_COUNT))
+        for (size_t i = 0; i < shapes->count; i++)
+            references[i] = reference_create(shapes->box(shapes->items, i), i);
     }
-    bool done = references && bvh_build_tree(references, count, &bvh->flats, &runs);
-    if (done)
-        bvh->flat_packets = bvh_allocate(bvh->flats.packet_count * sizeof *bvh->flat_packets);
-    done = done && bvh->flat_packets;
-    if (done) {
-        bvh->flats.packets = (const char *)bvh->flat_packets;
-        bvh->flats.packet_size = sizeof *bvh->flat_packets;
-        OMP(omp parallel for schedule(static) if (count > TASK_COUNT))
-        for (uint32_t i = 0; i < bvh->flats.packet_count; i++)
-            bvh->flat_packets[i] = flat_packet(flats, references, runs[i]);
+    if (references && bvh_build_tree(references, shapes->count, tree, &runs))
+        packets = bvh_allocate(tree->packet_count * shapes->packet_size);
+    if (packets) {
+        OMP(omp parallel for schedule(static) if (shapes->count > TASK_COUNT))
+        for (uint32_t i = 0; i < tree->packet_count; i++)
+            shapes->pack(shapes, references, runs[i], packets + i * shapes->packet_size);
     }
+    tree->packets = packets;
+    tree->packet_size = shapes->packet_size;
     free(runs);
     free(references);
-    return done;
+    return packets;
 }
 
-static bool build_spheres(Bvh *bvh, const Sphere *spheres, size_t count, size_t first_id)
+static void add_bounds(Box *box, const Shapes *shapes)
 {
-    Reference *references = bvh_allocate(count * sizeof *references);
-    Run *runs = NULL;
-    for (size_t i = 0; references && i < count; i++)
-        references[i] = sphere_reference(&spheres[i], i);
-    bool done = references && bvh_build_tree(references, count, &bvh->spheres, &runs);
-    if (done)
-        bvh->sphere_packets = bvh_allocate(bvh->spheres.packet_count * sizeof *bvh->sphere_packets);
-    done = done && bvh->sphere_packets;
-    if (done) {
-        bvh->spheres.packets = (const char *)bvh->sphere_packets;
-        bvh->spheres.packet_size = sizeof *bvh->sphere_packets;
-        for (uint32_t i = 0; i < bvh->spheres.packet_count; i++)
-            bvh->sphere_packets[i] = sphere_packet(spheres, first_id, references, runs[i]);
+    for (size_t i = 0; i < shapes->count; i++) {
+        Box one = shapes->box(shapes->items, i);
+        box_add_point(box, one.low);
+        box_add_point(box, one.high);
     }
-    free(runs);
-    free(references);
-    return done;
-}
-
-static Box shapes_bounds(const Flat *flats, size_t flat_count, const Sphere *spheres, size_t sphere_count)
-{
-    Box box = box_empty();
-    for (size_t i = 0; i < flat_count; i++) {
-        Vec3 u = vec3_add(flats[i].origin, flats[i].edge_u);
-        box_add_point(&box, flats[i].origin);
-        box_add_point(&box, u);
-        box_add_point(&box, vec3_add(flats[i].origin, flats[i].edge_v));
-        if (!flats[i].is_triangle)
-            box_add_point(&box, vec3_add(u, flats[i].edge_v));
-    }
-    for (size_t i = 0; i < sphere_count; i++) {
-        Vec3 radius = vec3(spheres[i].radius, spheres[i].radius, spheres[i].radius);
-        box_add_point(&box, vec3_sub(spheres[i].centre, radius));
-        box_add_point(&box, vec3_add(spheres[i].centre, radius));
-    }
-    return box;
 }
 
 Bvh *bvh_build(const Flat *flats, size_t flat_count, const Sphere *spheres, size_t sphere_count, Error *error)
 {
+    const Shapes all_flats = {flats, flat_count, 0, flat_box, pack_flats, sizeof(FlatPacket)};
+    const Shapes all_spheres = {spheres, sphere_count, flat_count, sphere_box, pack_spheres, sizeof(SpherePacket)};
     Bvh *bvh = calloc(1, sizeof *bvh);
-    if (bvh && build_flats(bvh, flats, flat_count) && build_spheres(bvh, spheres, sphere_count, flat_count)) {
-        bvh->bounds = shapes_bounds(flats, flat_count, spheres, sphere_count);
+    if (bvh && (bvh->flat_packets = build_tree(&all_flats, &bvh->flats)) &&
+        (bvh->sphere_packets = build_tree(&all_spheres, &bvh->spheres))) {
+        bvh->bounds = box_empty();
+        add_bounds(&bvh->bounds, &all_flats);
+        add_bounds(&bvh->bounds, &all_spheres);
         return bvh;
     }
     bvh_free(bvh);
