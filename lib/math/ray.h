@@ -31,4 +31,9 @@ static inline void box_add_point(Box *box, Vec3 p)
     box->high = vec3(fmaxf(box->high.x, p.x), fmaxf(box->high.y, p.y), fmaxf(box->high.z, p.z));
 }
 
+static inline float box_diagonal(Box box)
+{
+    return vec3_length(vec3_sub(box.high, box.low));
+}
+
 #endif

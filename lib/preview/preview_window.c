@@ -43,8 +43,7 @@ static void advance_flight(App *app, double now)
 {
     if (!app->flying)
         return;
-    Box box = bvh_bounds(app->scene->bvh);
-    double speed = 3.0 * (double)vec3_length(vec3_sub(box.high, box.low)) / FLIGHT_SECONDS; // m/s
+    double speed = 3.0 * (double)box_diagonal(bvh_bounds(app->scene->bvh)) / FLIGHT_SECONDS; // m/s
     double farthest = view_data_recording(app->session.data[YOURS])->farthest;
     double flown = (now - app->flight_started) * speed;
     if (flown > farthest + 1.0 * speed)

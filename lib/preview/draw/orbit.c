@@ -20,7 +20,7 @@ static bool box_is_sound(Box box)
 
 static float box_radius(Box box)
 {
-    return fmaxf(0.5f * vec3_length(vec3_sub(box.high, box.low)), LEAST_BOX);
+    return fmaxf(0.5f * box_diagonal(box), LEAST_BOX);
 }
 
 static Vec3 box_middle(Box box)

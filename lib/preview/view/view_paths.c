@@ -35,8 +35,7 @@ float leg_flown(const PathLeg *leg, double flight)
 // Many short legs crowd inside a stone: they would drown the rest.
 static float length_share(const ViewData *data, const PathLeg *leg)
 {
-    Box box = bvh_bounds(data->scene->bvh);
-    float size = vec3_length(vec3_sub(box.high, box.low));
+    float size = box_diagonal(bvh_bounds(data->scene->bvh));
     float share = vec3_length(vec3_sub(leg->to, leg->from)) / (0.2f * size);
     return fminf(fmaxf(share, 0.12f), 1.0f);
 }

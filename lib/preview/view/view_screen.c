@@ -40,17 +40,11 @@ static bool landed_on(const Scene *scene, const StoredPhoton *photon, float reac
     return true;
 }
 
-static float scene_size(const Scene *scene)
-{
-    Box box = bvh_bounds(scene->bvh);
-    return vec3_length(vec3_sub(box.high, box.low));
-}
-
 int screen_busiest(const Scene *scene, const Recording *recording)
 {
     size_t *landed = calloc(scene->flat_count + 1, sizeof *landed);
     size_t coloured = 0;
-    float reach = 1e-4f * scene_size(scene);
+    float reach = 1e-4f * box_diagonal(bvh_bounds(scene->bvh));
     for (size_t i = 0; i < recording->count; i++)
         coloured += recording->photons[i].at.colour != WHITE;
     size_t wanted = coloured ? coloured : recording->count, stride = wanted / LOOKED_AT + 1, met = 0;
@@ -115,7 +109,7 @@ static void build(ViewData *data, ColourMode mode, const Flat *flat)
     for (int i = 0; i < count; i++)
         vertices_line(&list, corners[i], corners[(i + 1) % count], edge);
     found->first_point = list.count;
-    float tolerance = 1e-4f * scene_size(data->scene), u, v;
+    float tolerance = 1e-4f * box_diagonal(bvh_bounds(data->scene->bvh)), u, v;
     for (size_t i = 0; i < data->recording.count; i++) {
         const StoredPhoton *photon = &data->recording.photons[i].at;
         if (screen_place(flat, (uint8_t)flat->material, photon, tolerance, &u, &v))

@@ -91,7 +91,7 @@ static void add_flats(const Scene *scene, Vertices *list)
     while (capacity < scene->flat_count * 6)
         capacity *= 2;
     Box box = bvh_bounds(scene->bvh);
-    float size = vec3_length(vec3_sub(box.high, box.low));
+    float size = box_diagonal(box);
     EdgeTable table = {calloc(capacity, sizeof(Edge)), capacity - 1, box.low, fmaxf((float)GRID * size, 1e-30f)};
     if (!table.slots)
         return;
@@ -158,7 +158,7 @@ static void add_light(const Light *light, float size, Vertices *list)
 void wireframe_build(const Scene *scene, Vertices *list)
 {
     Box box = bvh_bounds(scene->bvh);
-    float size = box.low.x <= box.high.x ? vec3_length(vec3_sub(box.high, box.low)) : 1.0f;
+    float size = box.low.x <= box.high.x ? box_diagonal(box) : 1.0f;
     if (scene->flat_count)
         add_flats(scene, list);
     for (size_t i = 0; i < scene->sphere_count && i < MOST_LINES / 500; i++)
