@@ -67,20 +67,12 @@ int overlay_wrap(const char *text, float scale, float width, int most, char *wra
     return lines;
 }
 
-static void text_size(const char *text, float scale, float *width, float *height)
+static float text_height(const char *text, float scale)
 {
-    char line[512];
-    *width = 0.0f;
-    *height = 0.0f;
-    for (const char *at = text;; at++) {
-        size_t length = strcspn(at, "\n");
-        snprintf(line, sizeof line, "%.*s", (int)length, at);
-        *width = fmaxf(*width, canvas_text_width(scale, line));
-        *height += LINE * scale;
-        at += length;
-        if (!*at)
-            return;
-    }
+    int lines = 1;
+    for (; *text; text++)
+        lines += *text == '\n';
+    return (float)lines * LINE * scale;
 }
 
 static const uint8_t *bytes(const Rgba *colour)
@@ -91,43 +83,32 @@ static const uint8_t *bytes(const Rgba *colour)
 // Text on a dark plate; (x, y) its top left corner.
 static void draw_plate(Canvas *canvas, float x, float y, float scale, Rgba ink, Rgba plate, const char *text)
 {
-    float width, height, margin = MARGIN * scale;
-    text_size(text, scale, &width, &height);
-    canvas_rectangle(canvas, x, y, width + 2.0f * margin, height + 1.4f * margin, bytes(&plate));
+    float margin = MARGIN * scale;
+    canvas_rectangle(canvas, x, y, canvas_text_width(scale, text) + 2.0f * margin,
+                     text_height(text, scale) + 1.4f * margin, bytes(&plate));
     canvas_text(canvas, x + margin, y + margin, scale, bytes(&ink), text);
 }
 
-static float draw_banner(Canvas *canvas, float scale, const char *text)
+// Wrapped text over the whole width, at the top, or at the bottom and a little lower. Returns its height.
+static float draw_bar(Canvas *canvas, float scale, bool at_bottom, int most, Rgba ink, Rgba plate, const char *text)
 {
     char wrapped[2048];
     float width = (float)canvas_width(canvas), margin = MARGIN * scale;
-    int most = canvas_height(canvas) < 400 ? 4 : 8;
     int lines = overlay_wrap(text, scale, width - 2.0f * margin, most, wrapped, sizeof wrapped);
-    float height = (float)lines * LINE * scale + 1.4f * margin;
-    canvas_rectangle(canvas, 0, 0, width, height, bytes(&RED_PLATE));
-    canvas_text(canvas, margin, margin, scale, (const uint8_t[4]){255, 235, 230, 255}, wrapped);
+    float height = (float)lines * LINE * scale + (at_bottom ? 1.2f : 1.4f) * margin;
+    float top = at_bottom ? (float)canvas_height(canvas) - height : 0.0f;
+    canvas_rectangle(canvas, 0, top, width, height, bytes(&plate));
+    canvas_text(canvas, margin, top + (at_bottom ? 0.8f : 1.0f) * margin, scale, bytes(&ink), wrapped);
     return height;
-}
-
-static void draw_status(Canvas *canvas, float scale, const char *text)
-{
-    char wrapped[1024];
-    float width = (float)canvas_width(canvas), margin = MARGIN * scale;
-    int lines = overlay_wrap(text, scale, width - 2.0f * margin, 2, wrapped, sizeof wrapped);
-    float height = (float)lines * LINE * scale + 1.2f * margin;
-    float top = (float)canvas_height(canvas) - height;
-    canvas_rectangle(canvas, 0, top, width, height, bytes(&PLATE));
-    canvas_text(canvas, margin, top + 0.8f * margin, scale, bytes(&COLOUR_OF_TEXT), wrapped);
 }
 
 static void draw_help(Canvas *canvas, float scale, const char *text)
 {
-    float width, height, across = (float)canvas_width(canvas), down = (float)canvas_height(canvas);
-    text_size(text, scale, &width, &height);
-    while (scale > 0.6f && (width + 3.0f * MARGIN * scale > across || height + 3.0f * MARGIN * scale > down)) {
+    float across = (float)canvas_width(canvas), down = (float)canvas_height(canvas);
+    while (scale > 0.6f && (canvas_text_width(scale, text) + 3.0f * MARGIN * scale > across ||
+                            text_height(text, scale) + 3.0f * MARGIN * scale > down))
         scale -= 0.1f;
-        text_size(text, scale, &width, &height);
-    }
+    float width = canvas_text_width(scale, text), height = text_height(text, scale);
     draw_plate(canvas, 0.5f * (across - width) - MARGIN * scale, 0.5f * (down - height) - MARGIN * scale, scale,
                COLOUR_OF_TEXT, (Rgba){16, 22, 36, 240}, text);
 }
@@ -155,7 +136,8 @@ void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const
 {
     float scale = overlay_scale(canvas), top = 0.0f, width = (float)canvas_width(canvas);
     if (captions->banner && captions->banner[0])
-        top = draw_banner(canvas, scale, captions->banner);
+        top = draw_bar(canvas, scale, false, canvas_height(canvas) < 400 ? 4 : 8, (Rgba){255, 235, 230, 255}, RED_PLATE,
+                       captions->banner);
     if (!captions->picture) {
         draw_description(canvas, scale, top, view, yours);
         legend_draw(canvas, view, yours, top);
@@ -168,7 +150,7 @@ void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const
             draw_title(canvas, scale, 0.75f * width, bottom, captions->right_title);
     }
     if (captions->status && captions->status[0])
-        draw_status(canvas, scale, captions->status);
+        draw_bar(canvas, scale, true, 2, COLOUR_OF_TEXT, PLATE, captions->status);
     if (view->help && captions->help)
         draw_help(canvas, scale, captions->help);
 }

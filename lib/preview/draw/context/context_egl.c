@@ -5,20 +5,24 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#define EGL_FUNCTIONS(X)                                                                                               \
+    X(void *, eglGetDisplay, (void *native))                                                                           \
+    X(unsigned, eglInitialize, (void *display, int *major, int *minor))                                                \
+    X(unsigned, eglTerminate, (void *display))                                                                         \
+    X(unsigned, eglBindAPI, (unsigned api))                                                                            \
+    X(unsigned, eglChooseConfig, (void *display, const int *attributes, void **configs, int size, int *count))         \
+    X(void *, eglCreateContext, (void *display, void *config, void *sharing, const int *attributes))                   \
+    X(unsigned, eglDestroyContext, (void *display, void *context))                                                     \
+    X(void *, eglCreatePbufferSurface, (void *display, void *config, const int *attributes))                           \
+    X(unsigned, eglMakeCurrent, (void *display, void *draw, void *read, void *context))                                \
+    X(int, eglGetError, (void))                                                                                        \
+    X(void *, eglGetProcAddress, (const char *name))
+
 // The library's, once it is loaded.
+#define EGL_MEMBER(result, name, parameters) result(*name) parameters;
 static struct {
-    void *(*get_display)(void *native);
-    void *(*get_platform_display)(unsigned platform, void *native, const void *attributes);
-    unsigned (*initialize)(void *display, int *major, int *minor);
-    unsigned (*terminate)(void *display);
-    unsigned (*bind_api)(unsigned api);
-    unsigned (*choose_config)(void *display, const int *attributes, void **configs, int size, int *count);
-    void *(*create_context)(void *display, void *config, void *sharing, const int *attributes);
-    unsigned (*destroy_context)(void *display, void *context);
-    void *(*create_pbuffer_surface)(void *display, void *config, const int *attributes);
-    unsigned (*make_current)(void *display, void *draw, void *read, void *context);
-    int (*get_error)(void);
-    void *(*address)(const char *name);
+    EGL_FUNCTIONS(EGL_MEMBER)
+    void *(*get_platform_display)(unsigned platform, void *native, const void *attributes); // NULL: it has none
 } egl;
 
 enum {
@@ -43,27 +47,19 @@ static bool load(Error *error)
     void *library = library_open("egl", FILES);
     if (!library)
         return error_set(error, "there is no libEGL");
-    bool ok = library_function(library, "eglGetDisplay", &egl.get_display) &&
-              library_function(library, "eglInitialize", &egl.initialize) &&
-              library_function(library, "eglTerminate", &egl.terminate) &&
-              library_function(library, "eglBindAPI", &egl.bind_api) &&
-              library_function(library, "eglChooseConfig", &egl.choose_config) &&
-              library_function(library, "eglCreateContext", &egl.create_context) &&
-              library_function(library, "eglDestroyContext", &egl.destroy_context) &&
-              library_function(library, "eglCreatePbufferSurface", &egl.create_pbuffer_surface) &&
-              library_function(library, "eglMakeCurrent", &egl.make_current) &&
-              library_function(library, "eglGetError", &egl.get_error) &&
-              library_function(library, "eglGetProcAddress", &egl.address);
-    if (!ok)
+#define LOAD(result, name, parameters)                                                                                 \
+    if (!library_function(library, #name, &egl.name))                                                                  \
         return error_set(error, "libEGL is too old");
-    void *address = egl.address("eglGetPlatformDisplayEXT");
-    library_address_to_function(address ? address : egl.address("eglGetPlatformDisplay"), &egl.get_platform_display);
+    EGL_FUNCTIONS(LOAD)
+    void *address = egl.eglGetProcAddress("eglGetPlatformDisplayEXT");
+    library_address_to_function(address ? address : egl.eglGetProcAddress("eglGetPlatformDisplay"),
+                                &egl.get_platform_display);
     return true;
 }
 
 static void *address_of(const char *name)
 {
-    return egl.address(name);
+    return egl.eglGetProcAddress(name);
 }
 
 // With no configuration first: the canvas needs none. Where the driver insists, one that can have a small surface.
@@ -77,14 +73,14 @@ static bool make_present(Context *context)
     void *display = context->display, *config = NULL;
     for (int attempt = 0; attempt < 2; attempt++) {
         int count = 0;
-        if (attempt == 1 && (!egl.choose_config(display, WISH, &config, 1, &count) || count < 1))
+        if (attempt == 1 && (!egl.eglChooseConfig(display, WISH, &config, 1, &count) || count < 1))
             return false;
-        void *surface = attempt == 1 ? egl.create_pbuffer_surface(display, config, SIZE) : NULL;
-        context->handle = egl.create_context(display, config, NULL, VERSION);
-        if (context->handle && egl.make_current(display, surface, surface, context->handle))
+        void *surface = attempt == 1 ? egl.eglCreatePbufferSurface(display, config, SIZE) : NULL;
+        context->handle = egl.eglCreateContext(display, config, NULL, VERSION);
+        if (context->handle && egl.eglMakeCurrent(display, surface, surface, context->handle))
             return true;
         if (context->handle)
-            egl.destroy_context(display, context->handle);
+            egl.eglDestroyContext(display, context->handle);
     }
     return false;
 }
@@ -94,19 +90,19 @@ static bool try_display(Context *context, void *display)
 {
     int major, minor;
     context->display = display;
-    if (!display || !egl.initialize(display, &major, &minor))
+    if (!display || !egl.eglInitialize(display, &major, &minor))
         return false;
-    if (egl.bind_api(EGL_OPENGL_API) && make_present(context))
+    if (egl.eglBindAPI(EGL_OPENGL_API) && make_present(context))
         return true;
-    egl.terminate(display);
+    egl.eglTerminate(display);
     return false;
 }
 
 // The display stays: ending it unloads the driver, whose threads and exit handlers may not be done.
 static void end(Context *context)
 {
-    egl.make_current(context->display, NULL, NULL, NULL);
-    egl.destroy_context(context->display, context->handle);
+    egl.eglMakeCurrent(context->display, NULL, NULL, NULL);
+    egl.eglDestroyContext(context->display, context->handle);
 }
 
 bool context_start_egl(Context *context, Error *error)
@@ -118,7 +114,7 @@ bool context_start_egl(Context *context, Error *error)
     if (egl.get_platform_display &&
         try_display(context, egl.get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL)))
         return true;
-    if (try_display(context, egl.get_display(NULL)))
+    if (try_display(context, egl.eglGetDisplay(NULL)))
         return true;
-    return error_set(error, "libEGL finds no driver with OpenGL 3.3 (error 0x%x)", (unsigned)egl.get_error());
+    return error_set(error, "libEGL finds no driver with OpenGL 3.3 (error 0x%x)", (unsigned)egl.eglGetError());
 }
