@@ -84,16 +84,13 @@ typedef struct {
 static bool easel_open(Easel *easel, const PreviewOptions *options, Error *error)
 {
     *easel = (Easel){NULL, NULL, NULL};
-    GlLoader loader;
-    if (options->hidden_context_is_window) {
-        if (!(easel->window = window_create_hidden(options->width, options->height, error)))
-            return false;
-        loader = window_loader();
-    } else {
-        if (!(easel->context = context_create(options->context, error)))
-            return false;
-        loader = context_loader(easel->context);
-    }
+    if (options->hidden_context_is_window)
+        easel->window = window_create(NULL, options->width, options->height, error);
+    else
+        easel->context = context_create(options->context, error);
+    if (!easel->window && !easel->context)
+        return false;
+    GlLoader loader = easel->window ? window_loader() : context_loader(easel->context);
     easel->canvas = canvas_create(loader, options->width, options->height, error);
     return easel->canvas != NULL;
 }

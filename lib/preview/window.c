@@ -37,7 +37,7 @@ static const char *reason(void)
     return text ? text : "for reasons that GLFW does not tell";
 }
 
-static GLFWwindow *open_window(const char *title, int width, int height, bool visible)
+static GLFWwindow *open_window(const char *title, int width, int height)
 {
     glfw.glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfw.glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -48,11 +48,11 @@ static GLFWwindow *open_window(const char *title, int width, int height, bool vi
     glfw.glfwWindowHint(GLFW_SAMPLES, 0);
     glfw.glfwWindowHint(GLFW_DEPTH_BITS, 0); // the canvas has its own
     glfw.glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfw.glfwWindowHint(GLFW_VISIBLE, visible);
-    return glfw.glfwCreateWindow(width, height, title, NULL, NULL);
+    glfw.glfwWindowHint(GLFW_VISIBLE, title != NULL);
+    return glfw.glfwCreateWindow(width, height, title ? title : "", NULL, NULL);
 }
 
-static Window *create(const char *title, int width, int height, bool visible, Error *error)
+Window *window_create(const char *title, int width, int height, Error *error)
 {
     Window *window = NULL;
     if (!load(error))
@@ -63,7 +63,7 @@ static Window *create(const char *title, int width, int height, bool visible, Er
     }
     if (!(window = calloc(1, sizeof *window)))
         error_set(error, "not enough memory");
-    else if (!(window->handle = open_window(title, width, height, visible)))
+    else if (!(window->handle = open_window(title, width, height)))
         error_set(error, "no window with OpenGL 3.3: %s", reason());
     if (!window || !window->handle) {
         glfw.glfwTerminate();
@@ -74,16 +74,6 @@ static Window *create(const char *title, int width, int height, bool visible, Er
     glfw.glfwSwapInterval(0); // frames are few, and waiting for the screen would only make the mouse lag
     window_listen(window);
     return window;
-}
-
-Window *window_create(const char *title, int width, int height, Error *error)
-{
-    return create(title, width, height, true, error);
-}
-
-Window *window_create_hidden(int width, int height, Error *error)
-{
-    return create("", width, height, false, error);
 }
 
 void window_free(Window *window)

@@ -6,11 +6,10 @@
 
 typedef struct Window Window;
 
-// One window at a time; all calls from the thread that made it. The OpenGL context (3.3 core) is
-// present from here on. The error says why there is none: no display, no GLFW (and what to install), no OpenGL 3.3.
+// One window at a time; all calls from the thread that made it. Without a title it is never shown, but drawn by the same
+// OpenGL. The context (3.3 core) is present from here on. The error says why there is none: no display, no GLFW (and what
+// to install), no OpenGL 3.3.
 Window *window_create(const char *title, int width, int height, Error *error);
-// Never shown, but drawn by the same OpenGL.
-Window *window_create_hidden(int width, int height, Error *error);
 void window_free(Window *window);
 
 GlLoader window_loader(void);                                                // of the context that is present

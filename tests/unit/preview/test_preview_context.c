@@ -69,7 +69,7 @@ static bool draw_elsewhere(ContextKind kind, bool in_window, uint8_t *rgba)
         static uint8_t bytes[4 * WIDTH * HEIGHT];
         Error error = {""};
         Context *own = in_window ? NULL : context_create(kind, &error);
-        Window *window = in_window ? window_create_hidden(50, 50, &error) : NULL;
+        Window *window = in_window ? window_create(NULL, 50, 50, &error) : NULL;
         if (!own && !window)
             print_message("skipped: %s\n", error.message);
         else if (draw_much(own ? context_loader(own) : window_loader(), bytes))
