@@ -90,6 +90,8 @@ check_steps() {
         chapter=${target%%.html*} anchor=${target#*#}
         awk -F '\t' -v c="$chapter" -v a="$anchor" '$1 == c && $2 == "file" && $4 == a { print $3 }' "$work/facts" | grep -qxF "$file" ||
             echo "$id: section $target does not name $file" >>"$work/wrong"
+        grep -q "^| ${id%.*} | .*($chapter.html) |" course_notes/0_start_here.md ||
+            echo "$id: course_notes/0_start_here.md has no row for its stage that leads to $chapter.html" >>"$work/wrong"
         grep -q "^| ${id/./\\.} |.*($target)" course_notes/index.md ||
             echo "$id: course_notes/index.md has no row that leads to $target" >>"$work/wrong"
         awk -F '\t' -v c="$chapter" -v a="$anchor" '$1 == c && $2 == "formula" && $4 == a { print $3 "\t" $5 }' "$work/facts" >"$work/tex"

@@ -16,7 +16,7 @@ check_handout() {
     awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 }
          inside && !/^ *\/\// { sub(/^ */, ""); sub(/ *\/\/.*/, ""); if (length($0) >= 30) print }' solutions/*/*.c |
         sort -u >"$work/lines"
-    find lib scenes tests/judge tests/steps -name '*.[ch]' -exec cat {} + >"$work/library"
+    find lib scenes tests/judge tests/steps \( -name '*.[ch]' -o -path 'lib/steps/hints/*' \) -exec cat {} + >"$work/library"
     while IFS= read -r code; do grep -qF -- "$code" "$work/library" ||
         printf '%s\n' "$code"; done <"$work/lines" >"$work/own"
     check "$(wc -l <"$work/own") >= 40" "handout: $(wc -l <"$work/own") lines that only solutions have are looked for"

@@ -111,6 +111,7 @@ check_step() {
     verdict "$id README: is in its stage's table" in_row "exercises/${file%/*}/README.md" "^| ${id/./\\.} |.*${file##*/}"
     verdict "$id README: is in the course's table" in_row README.md "^| ${id%.*} .*[| ]${id/./\\.} "
     verdict "$id README: its stage is in the exercises' table" in_row exercises/README.md "^| \[${id%.*} .*(${file%/*}/README.md)"
+    verdict "$id points: what it is worth" in_row tests/judge/points.txt "^step ${id/./\\.} "
     verdict "$id contract: stands in its stage's header" in_row "lib/steps/${file%/*}.h" "^// ${id/./\\.}  "
     verdict "$id hints: three parts" has_hints "$id" "${file%.c}"
     for cc in gcc clang; do

@@ -18,16 +18,18 @@ static void set(StepResult *result, Status status, const char *message, const ch
         result->checks[i].status = status;
 }
 
+#define STEPS 15 // of the table's, so that a stage more changes nothing here
+
 int main(int count, char **words)
 {
     (void)words;
-    StepResult *results = calloc(STEP_COUNT, sizeof *results);
+    StepResult *results = calloc(STEPS, sizeof *results);
     if (!results)
         return 1;
     char many[2000] = "";
     for (int i = 1; i <= 40; i++)
         snprintf(many + strlen(many), sizeof many - strlen(many), "line %d\n", i);
-    for (int i = 0; i < STEP_COUNT; i++) {
+    for (int i = 0; i < STEPS; i++) {
         results[i] = (StepResult){.step = &step_table[i], .check_count = 2, .points_max = i == 0 ? 2.5 : 6.0};
         results[i].checks[0] = (CheckResult){.check = &values, .finding = {.p = 1.0}};
         results[i].checks[1] = (CheckResult){.check = &density, .threshold = 3.3e-4, .finding = {.p = 0.3, .tests = 6}};
@@ -54,7 +56,7 @@ int main(int count, char **words)
          .steps = "2.1",
          .message = "the copper ball gets 31 % fewer photons than right (z = 14)"},
         {.stage = 3, .status = STATUS_TODO}};
-    print_results(results, STEP_COUNT, stages, count > 1);
+    print_results(results, STEPS, stages, count > 1);
     free(results);
     return 0;
 }
