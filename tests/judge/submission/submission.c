@@ -29,10 +29,13 @@ static void say_misplaced(const char *code, const char *path)
     size_t length = strlen(name);
     if (length < 3 || strcmp(name + length - 2, ".c") != 0 || is_step_file(path))
         return;
-    for (size_t i = 0; i < STEP_COUNT; i++)
-        if (strncmp(name, step_table[i].id, strlen(step_table[i].id)) == 0)
-            fprintf(stderr, "── %s/%s is not graded: step %s is looked for in %s/%s.c\n", code, path, step_table[i].id,
-                    code, step_table[i].file);
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        const char *id = step_table[i].id;
+        size_t digits = strlen(id);
+        if (strncmp(name, id, digits) == 0 && !isdigit((unsigned char)name[digits]))
+            fprintf(stderr, "── %s/%s is not graded: step %s is looked for in %s/%s.c\n", code, path, id, code,
+                    step_table[i].file);
+    }
 }
 
 static void look_into(const char *code, const char *folder)
