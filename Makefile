@@ -8,13 +8,14 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 endif
 
 # On a machine that has no compiler yet, what the rest of this file finds out would be found out too early: after `setup` a
-# second make looks again.
+# second make looks again. What else is asked for says what has to be installed.
 ifneq ($(filter setup,$(MAKECMDGOALS)),)
 
 .NOTPARALLEL:
 .PHONY: $(MAKECMDGOALS)
 setup:
-	@sh tests/setup.sh
+	@sh tests/setup.sh $(filter-out setup,$(MAKECMDGOALS))
+	@$(MAKE) --no-print-directory compile_commands.json
 $(filter-out setup,$(MAKECMDGOALS)): setup
 	@$(MAKE) --no-print-directory $@
 
@@ -33,7 +34,7 @@ PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
 PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lyaml)
 
-override CFLAGS += $(if $(HAVE_PREVIEW),,-DWITHOUT_PREVIEW) $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(EXTRA)
+override CFLAGS += $(if $(HAVE_PREVIEW),,-DWITHOUT_PREVIEW) $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(EXTRA) $(if $(CHECK),-Werror)
 LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(OPENMP)
 
 ifeq ($(SYSTEM),Darwin)
@@ -46,20 +47,20 @@ PLUGIN = -shared
 ORIGIN = $$ORIGIN
 endif
 
-find_c           = $(sort $(shell find $(1) -name '*.c' 2>/dev/null))
+# Folders called test hold programs of their own.
+find_c           = $(sort $(shell find $(1) -name '*.c' ! -path '*/test/*' 2>/dev/null))
 LIBRARY_SOURCES := $(filter-out lib/cli/% lib/preview/%,$(call find_c,lib))
 # Without the headers of GLFW and OpenGL there is no preview, and `photonlab preview` says what to install.
 HAVE_PREVIEW    := $(shell $(CC) -DGLFW_INCLUDE_GLCOREARB -include GLFW/glfw3.h -fsyntax-only -x c /dev/null 2>/dev/null && echo yes)
-PROGRAM_SOURCES := $(filter-out $(if $(HAVE_PREVIEW),,lib/preview/% lib/cli/preview_%),$(call find_c,lib/cli lib/preview))
-STEP_SOURCES    = $(wildcard solutions/*/*.c)
-TEST_SOURCES    = $(filter-out $(SKIP) $(if $(HAVE_PREVIEW),,tests/unit/preview/%),$(wildcard tests/unit/*/*.c))
+PREVIEW_SOURCES := $(if $(HAVE_PREVIEW),$(call find_c,lib/preview))
+PROGRAM_SOURCES := $(filter-out $(if $(HAVE_PREVIEW),,lib/cli/preview_%),$(call find_c,lib/cli)) $(PREVIEW_SOURCES)
+STEP_SOURCES     = $(wildcard solutions/*/*.c)
 
 object   = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 LIBRARY  = $(BUILD)/libphotonlab.so
 PROGRAM  = $(BUILD)/photonlab
 STEPS    = $(STEP_SOURCES:%.c=$(BUILD)/%.so)
 -include prebuilt/steps.mk
-TESTS    = $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/tests/%)
 MESHES   = $(addprefix scenes/meshes/,diamond.obj bumpy_sphere.obj ring.obj)
 
 # `make V=1` shows whole commands.
@@ -79,20 +80,23 @@ $(LIBRARY): $(call object,$(LIBRARY_SOURCES))
 	$(Q)$(CC) $(CFLAGS) $(SHARED) $^ -o $@.new $(LDLIBS)
 	@mv $@.new $@
 
+# $(call link,LIBRARIES): a program of its objects and the library, which lies beside it or up to two folders above. Written
+# beside and renamed, since the old one may be running.
+define link
+@mkdir -p $(@D)
+$(call say,link,$@)
+$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab $(foreach up,. .. ../..,-Wl,-rpath,'$(ORIGIN)/$(up)') -o $@.new $(1) $(LDLIBS)
+@mv $@.new $@
+endef
+
 $(PROGRAM): $(call object,$(PROGRAM_SOURCES)) $(LIBRARY)
-	$(call say,link,$@)
-	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@.new $(LDLIBS)
-	@mv $@.new $@
+	$(call link)
 
 # One shared object per step. Written beside and renamed, since a running program may be loading the old one.
 $(BUILD)/solutions/%.so: $(BUILD)/obj/solutions/%.o
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $(PLUGIN) $< -o $@.new
 	@mv $@.new $@
-
-$(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(LIBRARY)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $< -L$(BUILD) -lphotonlab -lcmocka -Wl,-rpath,'$(ORIGIN)/../..' -o $@ $(LDLIBS)
 
 $(BUILD)/make_meshes: scenes/make_meshes.c
 	@mkdir -p $(@D)
@@ -102,144 +106,52 @@ scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
 	@mkdir -p $(@D)
 	$(Q)$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
 
-include tests/steps/exercises.mk tests/judge/judge.mk lib/preview/preview.mk
--include tests/scene_page/scene_page.mk tests/class/class.mk tests/mistakes/grader.mk course_notes/notes.mk
+SANITIZED = $(MAKE) BUILD=$(BUILD)/sanitized OPTIMISE=-O1 EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
 
-# ---- what there is to do; `make help` prints the lines with two hashes ----
+include lib/preview/preview.mk tests/judge/judge.mk tests/steps/exercises.mk
+-include course_notes/notes.mk tests/class/class.mk tests/tests.mk
 
-.PHONY: help demo render meshes check check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-arm reference agreement \
-        bench fuzz format clean
+# ---- what there is to do ----
+#
+# A line of two hashes tells of a target: "## NAME  words" to students, "##teacher NAME  words", "##maintainer NAME  words". And
+# "##check WHEN NAME  words" makes it a part of `make check`, WHEN being when tests/check.sh runs it; `long`: never.
 
-## help            this list
-help:
-	@echo "make TARGET [NAME=value …]"
-	@sed -n 's/^## /  /p' $(filter-out %.d,$(MAKEFILE_LIST))
+.PHONY: help demo render meshes check compile_commands.json clean
+HELP = $(addprefix help-,teacher maintainer checks)
+.PHONY: $(HELP)
+help $(HELP):
+	@awk -v group=$(patsubst help-%,%,$(filter-out help,$@)) -f tests/help.awk $(filter-out Makefile %.d,$(MAKEFILE_LIST)) Makefile
 
-## (no target)     build the program: build/photonlab, and the reference steps: build/solutions/
-
-## setup           install what is missing (by apt; on other systems it says what to install)
-
-## demo            render the course's pictures into build/demo/
-demo: all meshes
-	@sh scenes/demo.sh $(PROGRAM) $(BUILD)/demo
-
-## render          render one scene: make render SCENE=scenes/prism.yaml FLAGS="--samples 64" [CODE=exercises: with your steps]
+## render  a picture: make render SCENE=scenes/prism.yaml [CODE=exercises] [FLAGS="--samples 64"]
 SCENE ?= scenes/box_glass.yaml
 CODE_ASKED = $(filter-out undefined file,$(origin CODE))
 render: all meshes $(if $(CODE_ASKED),code-built)
 	$(PROGRAM) render $(SCENE) -o $(BUILD)/$(notdir $(SCENE:.yaml=.png)) $(if $(CODE_ASKED),--code $(CODE_BUILD)) $(FLAGS)
 
-## meshes          make the meshes that are too large to keep: scenes/meshes/
+## demo  the course's pictures, rendered into build/demo/
+demo: all meshes
+	@sh scenes/demo.sh $(PROGRAM) $(BUILD)/demo
+
+## (no target)  build the program, build/photonlab, and the reference: build/solutions/
+## setup  install what is missing (by apt; on other systems it says what to install)
+
+## meshes  make the meshes that are too large to keep: scenes/meshes/
 meshes: $(MESHES)
 
-## check           all tests (below five minutes on two cores); the parts are:
-check: all meshes
-	@bash tests/check.sh $(MAKE)
+##maintainer check  all tests but the long ones above (five minutes); make help-checks lists them
+check:
+	@bash tests/check.sh $(MAKE) $(filter-out %.d,$(MAKEFILE_LIST))
 
-##   check-unit        the library's unit tests
-check-unit: all meshes $(TESTS)
-	@bash tests/unit/run.sh $(TESTS)
-
-##   check-sanitized   the same under AddressSanitizer and UndefinedBehaviorSanitizer (`make check` leaves the preview's out)
-check-sanitized: meshes
-	@$(SANITIZED) check-unit
-SANITIZED = $(MAKE) BUILD=$(BUILD)/sanitized OPTIMISE=-O1 \
-            EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
-check-cli-sanitized: meshes
-	@$(SANITIZED) check-cli
-
-##   check-compilers   gcc and clang build without a warning, tests and fuzz targets too
-# What gcc has built already it need not build again; `make check` has it build with -Werror from the start.
-GCC_BUILD = $(if $(filter gcc,$(CC)),$(BUILD),$(BUILD)/gcc)
-check-compilers:
-	@$(MAKE) BUILD=$(GCC_BUILD) CC=gcc EXTRA=-Werror all $(TEST_SOURCES:tests/unit/%.c=$(GCC_BUILD)/tests/%)
-	@$(MAKE) BUILD=$(BUILD)/clang CC=clang EXTRA=-Werror all
-	$(Q)printf '%s\n' $(TEST_SOURCES) $(call find_c,tests/fuzz tests/judge tests/steps tests/class) | \
-	    xargs -n 8 -P $(shell getconf _NPROCESSORS_ONLN) clang $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib -Itests $(PKG_CFLAGS)
-	$(Q)gcc $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib -Itests $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c)
-
-##   check-bytes       1, 2 and 7 threads, gcc and clang: the same bytes
-check-bytes: check-compilers meshes
-	@bash tests/same_bytes.sh $(GCC_BUILD)/photonlab $(BUILD)/clang/photonlab
-
-##   check-cli         exit codes, messages, students' steps; check-cli-sanitized: the same under sanitizers
-check-cli: all
-	@bash tests/cli.sh $(PROGRAM) $(BUILD)
-
-##   check-probe       what the judge asks of a step, in numbers
-check-probe: all $(PROBE)
-	@bash tests/probe.sh $(PROGRAM) $(BUILD)
-
-##   check-rooms       which folder includes which: as lib/README.md and tests/README.md say?
-.PHONY: check-rooms size
-check-rooms:
-	@bash tests/rooms_test.sh
-
-## size            lines of C and shell, room by room: make size [OF=COMMIT]
-size:
-	@sh tests/size.sh $(OF)
-
-##   check-arm         the unit tests built for aarch64 and emulated, and one picture against this machine's to the byte (on
-##                     Debian: gcc-aarch64-linux-gnu, qemu-user, and the libraries of `make setup` with :arm64)
-ARM = BUILD=$(BUILD)/arm CC=aarch64-linux-gnu-gcc PKG_CFLAGS= PKG_LIBS="-lpng -lyaml"
-PICTURE = render scenes/box_glass.yaml --size 97x61 --photons 60000 --samples 3 --quiet
-check-arm: all meshes
-	@RUNNER="qemu-aarch64 -L /" $(MAKE) $(ARM) check-unit
-	@qemu-aarch64 -L / $(BUILD)/arm/photonlab $(PICTURE) -o $(BUILD)/arm/there.pfm
-	@$(PROGRAM) $(PICTURE) -o $(BUILD)/arm/here.pfm
-	@cmp $(BUILD)/arm/there.pfm $(BUILD)/arm/here.pfm && echo "the same picture to the byte"
-
-##   check-same        another commit's pictures, photons and measurements, and this one's: the same bytes? make check-same AS=COMMIT
-.PHONY: check-same
-check-same: judge meshes
-	@bash tests/same_as.sh "$${AS:?says which commit}" $(BUILD)
-
-##   reference         both integrators against an independent renderer's images
-reference: all
-	@bash tests/reference/compare.sh $(PROGRAM)
-
-##   agreement         photons against the path tracer, on every scene that it can render (SCENES=few: half of them, as `make check` does)
-agreement: all meshes
-	@bash tests/agreement.sh $(PROGRAM) $(SCENES)
-
-BENCH_OBJECTS = $(call object,tests/bench/photons.c lib/cli/common.c)
-$(BUILD)/bench_photons: $(BENCH_OBJECTS) $(LIBRARY)
-	$(call say,link,$@)
-	$(Q)$(CC) $(CFLAGS) $(BENCH_OBJECTS) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ $(LDLIBS)
-
-## bench           speed against other programs, as ratios measured side by side (installs them first)
-bench: all meshes
-	@bash tests/bench/run.sh
-
-## fuzz            feed a reader with nonsense: make fuzz READER=scene|obj|png|pfm SECONDS=600 (needs clang)
-READER  ?= scene
-SECONDS ?= 60
-SEEDS = $(wildcard $(addsuffix *.$(READER:scene=yaml),tests/malformed/ scenes/))
-FUZZ_FLAGS = -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
-fuzz: $(SCENE_PAGE)
-	@test -f tests/fuzz/fuzz_$(READER).c || { echo "READER is scene, obj, png or pfm"; exit 1; }
-	@mkdir -p $(BUILD)/fuzz/corpus_$(READER)
-	clang $(STANDARD) -O1 -g -Ilib $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
-	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl || \
-	    { echo "Does clang lack its fuzzer? On Debian: apt-get install libclang-rt-$$(clang -dumpversion | cut -d. -f1)-dev"; exit 1; }
-	$(if $(SEEDS),@cp $(SEEDS) $(BUILD)/fuzz/corpus_$(READER))
-	@cp tests/fuzz/*.dict $(BUILD)/fuzz/ && $(SCENE_PAGE) --words >>$(BUILD)/fuzz/scene.dict
-	$(BUILD)/fuzz/fuzz_$(READER) -max_total_time=$(SECONDS) -timeout=10 -max_len=4096 -print_final_stats=1 \
-	    $(if $(filter scene obj,$(READER)),-dict=$(BUILD)/fuzz/$(READER).dict) $(BUILD)/fuzz/corpus_$(READER)
-
-## compile_commands.json   for editors and language servers
-compile_commands.json: Makefile $(LIBRARY_SOURCES) $(PROGRAM_SOURCES) $(STEP_SOURCES) $(TEST_SOURCES)
-	@{ echo "["; first=1; for f in $(LIBRARY_SOURCES) $(PROGRAM_SOURCES) $(STEP_SOURCES) $(TEST_SOURCES); do \
-	    [ -n "$$first" ] || echo ","; first=; \
-	    printf '{"directory":"%s","file":"%s","command":"%s"}' "$(CURDIR)" "$$f" "$(CC) $(CFLAGS) -c $$f"; \
-	done; echo; echo "]"; } > $@.new
+## compile_commands.json  for editors; `make setup` makes it, too
+compile_commands.json:
+	@{ find lib solutions tests/judge tests/steps tests/unit tests/class -name '*.c' | \
+	       sed 's|.*|{"directory": "$(CURDIR)", "file": "&", "command": "$(CC) $(CFLAGS) -c &"},|'; \
+	   find exercises -name '[0-9]*.c' ! -path '*/.*' | \
+	       sed 's|.*|{"directory": "$(CURDIR)", "file": "&", "command": "$(CC) $(STEP_FLAGS) -Ilib -c &"},|'; } 2>/dev/null | \
+	   sed '1s/^/[/; $$s/,$$/]/' >$@.new
 	@mv $@.new $@
 
-## format          lay the C files out by .clang-format
-format:
-	clang-format -i $$(git ls-files '*.c' '*.h' '*.cpp')
-
-## clean           remove build/
+## clean  remove build/
 clean:
 	rm -rf $(BUILD)
 

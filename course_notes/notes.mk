@@ -7,12 +7,6 @@ NOTES_FIGURES = $(wildcard course_notes/figures/*.*)
 NOTES_HELPERS = $(patsubst course_notes/figures/src/%.c,$(BUILD)/figures/%,$(wildcard course_notes/figures/src/*.c))
 PANDOC       := $(shell command -v pandoc 2>/dev/null)
 
-# What figures are made with; their commands may want to build students' code as the judge does.
-figures check-figures: export BUILD := $(BUILD)
-figures check-figures: export PHOTONLAB_CC = $(CC)
-figures check-figures: export PHOTONLAB_FLAGS = $(STEP_FLAGS)
-figures check-figures: export PHOTONLAB_LINK = $(PLUGIN)
-
 .PHONY: notes notes-pages notes-pandoc notes-list figures figure-helpers check-notes check-figures check-notes-browser
 
 notes-pandoc:
@@ -36,33 +30,31 @@ $(BUILD)/notes/%.html: course_notes/%.md $(BUILD)/notes/.pages $(NOTES_TOOLS) $$
 
 notes-pages: notes-pandoc $(NOTES_PAGES)
 
-## notes           the course notes: build/notes/index.html, one page a chapter (with a TeX, photonlab.pdf, too)
+## notes  the course notes: build/notes/index.html; where there is a TeX, photonlab.pdf too
 notes: notes-pages
 	@bash course_notes/make_pdf.sh $(BUILD)
 	@echo "$(BUILD)/notes/index.html"
 
 # Programs that compute what a figure shows.
 $(BUILD)/figures/%: $(BUILD)/obj/course_notes/figures/src/%.o $(LIBRARY)
-	@mkdir -p $(@D)
-	$(call say,link,$@)
-	$(Q)$(CC) $(CFLAGS) $< -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)/..' -o $@ $(LDLIBS)
+	$(call link)
 figure-helpers: $(NOTES_HELPERS)
 
-## figures         make the notes' figures anew whose command or sources have changed: make figures [CHAPTER=2] [FIGURE=2_lobe.svg] [FORCE=1]
+##maintainer figures  the notes' figures anew: [CHAPTER=2] [FIGURE=2_lobe.svg] [FORCE=1]
 figures: export CHAPTER := $(CHAPTER)
 figures: export FIGURE := $(FIGURE)
 figures: export FORCE := $(FORCE)
 figures: notes-pandoc all meshes figure-helpers
 	@bash course_notes/make_figures.sh
 
-##   check-notes       links, anchors, figures, numbers, formulas of the course notes
+##check beside check-notes  links, anchors, figures, numbers, formulas of the course notes
 check-notes: notes-pages $(if $(wildcard tests/judge),judge $(WRITE_REPORTS))
 	@bash course_notes/check_notes.sh $(BUILD)
 
-##   check-figures     every figure of the notes made anew: the same bytes? (a quarter of an hour)
+##check long check-figures  every figure made anew: the same bytes? (a quarter of an hour)
 check-figures: notes-pandoc all meshes figure-helpers
 	@bash course_notes/make_figures.sh check
 
-##   check-notes-browser   the notes in a browser as narrow as a phone: nothing juts out, all is visible (needs chromium)
+##check long check-notes-browser  the notes on a phone: nothing juts out (needs chromium)
 check-notes-browser: notes-pages
 	@bash course_notes/check_browser.sh $(BUILD)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Is the grader right? Run from the checkout: check_grader.sh quick|matrix|false-verdicts|write BUILD
+# Is the grader right? Run from the checkout: check_grader.sh quick|matrix|false-verdicts|write
 #
 #   quick            every known mistake, alternative, stub and solution once, at its own step; with HANDS=b only the second
 #                    patch of each mistake (part of `make check`)
@@ -8,16 +8,15 @@
 #   write            puts what quick, matrix and false-verdicts found last into tests/README.md, and the diagnosis' confusions
 #                    into tests/mistakes/confusion.txt
 #
-# Environment: STEP_FLAGS and STEP_LINK (how a step is compiled and linked), JOBS (all cores), SALTS of false-verdicts (40)
+# Environment: PHOTONLAB_… (see tests/steps/exercises.mk), JOBS (all cores), SALTS of false-verdicts (40)
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/common.sh"
 . "$here/judge/grader_cases.sh"
 mode=${1:?quick, matrix, false-verdicts or write}
-JUDGE_BUILD=$(cd "${2:?where the judge was built}" && pwd)
-CASES=$work/cases
-export JUDGE_BUILD CASES STEP_FLAGS STEP_LINK
-found=$JUDGE_BUILD/grader
+PHOTONLAB_BUILD=$(cd "$PHOTONLAB_BUILD" && pwd)
+export CASES=$work/cases
+found=$PHOTONLAB_BUILD/grader
 mkdir -p "$found" "$CASES" "$work/stubs"
 grader_cases "$work/stubs" >"$work/list"
 
@@ -86,11 +85,11 @@ matrix_run() {
 
 matrix() {
     rm -f "$found"/matrix_*.txt
-    local flags=$STEP_FLAGS compiler level salt
+    local flags=$PHOTONLAB_FLAGS compiler level salt
     for compiler in gcc clang; do
         for level in -O0 -O2; do
             for salt in photonlab another; do
-                matrix_run "$compiler $level, salt $salt" COMPILER=$compiler SALT=$salt STEP_FLAGS="${flags/-O2/$level}"
+                matrix_run "$compiler $level, salt $salt" PHOTONLAB_CC=$compiler SALT=$salt PHOTONLAB_FLAGS="${flags/-O2/$level}"
             done
         done
     done
@@ -151,7 +150,7 @@ quick) quick ;;
 matrix) matrix ;;
 false-verdicts) false_verdicts ;;
 write) . "$here/judge/grader_table.sh"; write_table ;;
-*) echo "check_grader.sh quick|matrix|false-verdicts|write BUILD"; exit 2 ;;
+*) echo "check_grader.sh quick|matrix|false-verdicts|write"; exit 2 ;;
 esac
 echo "took $((SECONDS - start)) s"
 finish

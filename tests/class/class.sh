@@ -92,7 +92,7 @@ judge_key() {
 config=$out/.parts/.config
 {
     printf 'ROOT=%q\nBUILD=%q\nOUT=%q\nPOINTS=%q\n' "$root" "$build" "$out" "$points"
-    printf 'CC=%q\nFLAGS=%q\nLINK=%q\n' "$PHOTONLAB_CC" "$PHOTONLAB_FLAGS" "$PHOTONLAB_LINK"
+    printf 'export PHOTONLAB_CC=%q PHOTONLAB_FLAGS=%q PHOTONLAB_LINK=%q\n' "$PHOTONLAB_CC" "$PHOTONLAB_FLAGS" "$PHOTONLAB_LINK"
     printf 'SALT=%q\nREGRADE=%q\nJUDGE_KEY=%q\nSECONDS_EACH=%q\n' "${PHOTONLAB_SALT:-}" \
         "${PHOTONLAB_REGRADE:-}" "$(judge_key)" \
         "${PHOTONLAB_SECONDS_EACH:-900}"

@@ -92,7 +92,7 @@ write_reports() {
 
 cd "$work/in" || exit 1
 timeout -k 10 "$SECONDS_EACH" "$BUILD/judge" --root "$ROOT" --build "$BUILD" --points "$POINTS" \
-    --code "./$name" --work "$work/test" --report "$part" --compiler "$CC" --flags "$FLAGS" --link "$LINK" \
+    --code "./$name" --work "$work/test" --report "$part" \
     --jobs 1 --credit ${SALT:+--salt "$SALT"} >"$part/terminal.txt" 2>"$work/why" </dev/null
 case $? in
 0 | 1)

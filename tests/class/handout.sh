@@ -19,7 +19,7 @@ top=$work/photonlab-$version
 
 # What shows how the steps are solved, how they are usually done wrong, or how to cheat; and the teacher's own tools.
 secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|malformed|scene_page|class|agreement|preview)/|^course_notes/teachers'
-secret="$secret|^tests/[^/]*\\.(md|sh)\$|^tests/judge/.*test|^tests/judge/(calibrate/|features_table\\.sh|grade_case\\.sh)"
+secret="$secret|^tests/[^/]*\\.(md|mk|sh)\$|^tests/judge/.*test|^tests/judge/(calibrate/|features_table\\.sh|grade_case\\.sh)"
 secret="$secret|^tests/steps/(make_exercises\\.sh|stub\\.awk)"
 # Programs behind figures in which a line or two of a step stand, right or wrong; and what plays the known mistakes.
 secret="$secret|^course_notes/figures/src/[0-9a-z]*_((ledger|roulette|sample|curves|gather)\\.c|play\\.sh|patches\\.awk)\$"
@@ -39,12 +39,8 @@ done
 
 # What is for teachers alone would lead to files that are not there: sections of the README, and lines of `make help`.
 sed '/^<!-- teachers -->$/,/^<!-- end of teachers -->$/d' README.md >"$top/README.md" || exit 1
-gone='check|check-[a-z-]*|reference|agreement|bench|bench-test|bench-peers|fuzz|calibrate|exercises|format|mistakes-table'
-gone="$gone|grader-table|class|class-trial|handout|gradescope|figures|bench-preview"
 find "$top" -name Makefile -o -name '*.mk' | while IFS= read -r file; do
-    # A line with no name of a target, and far to the right, belongs to the one above.
-    awk -v gone="^## +($gone)( |\$)" '/^## / && !/^##            / { drop = $0 ~ gone } !/^## / { drop = 0 } !drop' \
-        "$file" >"$work/shorter" && cat "$work/shorter" >"$file" || exit 1
+    grep -vE '^##(teacher|maintainer|check) ' "$file" >"$work/shorter" && cat "$work/shorter" >"$file" || exit 1
 done
 
 # What `make check` runs there.

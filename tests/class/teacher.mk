@@ -4,23 +4,21 @@ CLASS_UNPACK = $(BUILD)/class_unpack
 CLASS_TABLE  = $(BUILD)/class_table
 
 $(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack/*.c)) $(LIBRARY)
-	$(call say,link,$@)
-	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ -larchive $(LDLIBS)
+	$(call link,-larchive)
 
 $(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) $(REPORT_WORDS)) $(LIBRARY)
-	$(call say,link,$@)
-	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab -Wl,-rpath,'$(ORIGIN)' -o $@ -ljansson $(LDLIBS)
+	$(call link,-ljansson)
 
 .PHONY: class handout gradescope class-tools check-class class-trial
 
 # What run_autograder compiles students' code with, where there is no make around it.
-$(BUILD)/class_flags.sh: Makefile $(wildcard tests/judge/*.mk)
+$(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
 	@mkdir -p $(@D)
-	@printf "CC='%s'\nFLAGS='%s'\nLINK='%s'\n" '$(CC)' '$(STEP_FLAGS)' '$(PLUGIN)' >$@
+	@printf "export PHOTONLAB_CC='%s' PHOTONLAB_FLAGS='%s' PHOTONLAB_LINK='%s'\n" '$(CC)' '$(STEP_FLAGS)' '$(PLUGIN)' >$@
 
 class-tools: $(BUILD)/class_flags.sh judge $(WRITE_REPORTS) $(CLASS_UNPACK) $(CLASS_TABLE)
 
-## class           grade a class: make class DIR=submissions [ROSTER=roster.csv] [SALT=secret] [OUT=build/class] [REGRADE=1] [PARALLEL_FLAGS=…]
+##teacher class  grade a class: make class DIR=submissions [ROSTER=roster.csv] [SALT=secret] [OUT=build/class] [REGRADE=1] [PARALLEL_FLAGS=…]
 class: export PHOTONLAB_DIR = $(DIR)
 class: export PHOTONLAB_ROSTER = $(ROSTER)
 class: export PHOTONLAB_COLUMN = $(COLUMN)
@@ -31,23 +29,23 @@ class: export PHOTONLAB_SALT = $(SALT)
 class: class-tools
 	@bash tests/class/class.sh
 
-## handout         the students' archive: make handout [OUT=build/handout] [WITH_SOLUTIONS=1] [VERSION=2]
+##teacher handout  the students' archive: make handout [OUT=build/handout] [WITH_SOLUTIONS=1] [VERSION=2]
 handout: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/handout)
 handout: export PHOTONLAB_VERSION = $(VERSION)
 handout: export PHOTONLAB_WITH_SOLUTIONS = $(WITH_SOLUTIONS)
 handout: all
 	@bash tests/class/handout.sh
 
-## gradescope      the autograder for Gradescope: make gradescope [OUT=build/gradescope] [SALT=secret]
+##teacher gradescope  the autograder for Gradescope: make gradescope [OUT=build/gradescope] [SALT=secret]
 gradescope: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/gradescope)
 gradescope: export PHOTONLAB_SALT = $(SALT)
 gradescope:
 	@bash tests/class/gradescope.sh
 
-##   check-class       submitting, updating, grading a small class, handout, autograder
+##check beside check-class  submitting, updating, grading a small class, handout, autograder
 check-class: class-tools meshes
 	@bash tests/class/test_class.sh
 
-## class-trial     200 submissions made of known mistakes and right answers, with a kill half-way (long)
+##check long class-trial  200 submissions made of known answers, with a kill half-way
 class-trial: class-tools
 	@bash tests/class/trial.sh

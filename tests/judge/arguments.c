@@ -12,7 +12,8 @@ static const char help[] =
     "  --work DIR        for objects and cases (build/test)\n"
     "  --report DIR      write report.json and pictures there\n"
     "  --points FILE     the points table (tests/judge/points.txt)\n"
-    "  --compiler CC  --flags \"…\"  --link \"…\"    how a step is compiled and linked\n"
+    "  --compiler CC  --flags \"…\"  --link \"…\"    how a step is compiled and linked (as PHOTONLAB_CC, PHOTONLAB_FLAGS and\n"
+    "                    PHOTONLAB_LINK in the environment say)\n"
     "  --jobs N          steps graded side by side (0: all cores)\n"
     "  --salt TEXT       other random numbers\n"
     "  --seconds S       processor time for a step's cases (6); slow machines get more\n"
@@ -34,6 +35,12 @@ static int stage_number(const char *text)
     return end != text && !*end && value > 0 && value < 1000 ? (int)value : -1;
 }
 
+static const char *from_environment(const char *name, const char *otherwise)
+{
+    const char *value = getenv(name);
+    return value && *value ? value : otherwise;
+}
+
 int arguments_parse(int count, char **arguments, Arguments *a)
 {
     *a = (Arguments){.points = "tests/judge/points.txt",
@@ -41,9 +48,9 @@ int arguments_parse(int count, char **arguments, Arguments *a)
                                .root = ".",
                                .build = "build",
                                .work = "build/test",
-                               .compiler = "cc",
-                               .flags = "-std=c99 -O2 -fPIC",
-                               .link_flags = "-shared",
+                               .compiler = from_environment("PHOTONLAB_CC", "cc"),
+                               .flags = from_environment("PHOTONLAB_FLAGS", "-std=c99 -O2 -fPIC"),
+                               .link_flags = from_environment("PHOTONLAB_LINK", "-shared"),
                                .salt = "photonlab"}};
     GradeOptions *g = &a->grade;
     const char *stage = NULL, *odd = NULL;

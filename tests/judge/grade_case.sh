@@ -3,7 +3,7 @@
 # (MISTAKE: what the diagnosis named, or -).
 #
 # Usage: grade_case.sh CASE STEP SOURCE [PATCH]      run from the checkout; SOURCE is copied to its place in a submission
-# that holds nothing else, and patched. Environment: JUDGE_BUILD, STEP_FLAGS, STEP_LINK, COMPILER, SALT, CASES (a
+# that holds nothing else, and patched. Environment: PHOTONLAB_… (see tests/steps/exercises.mk), SALT, CASES (a
 # directory to work in), FEATURES (not empty: print the judge's line of features instead), PIN (a core to stay on), JUDGE_FLAGS.
 set -u
 case=$1 step=$2 source=$3 patch=${4:-}
@@ -19,9 +19,8 @@ if [ -n "$patch" ] && ! patch -s -d "$directory/code" -p2 <"$patch" >"$directory
 fi
 run_judge() {
     # shellcheck disable=SC2086 # flags are words
-    ${PIN:+taskset -c "$PIN"} "$JUDGE_BUILD/judge" --root . --build "$JUDGE_BUILD" --work "$directory/work" --code "$directory/code" \
-        --step "$step" --compiler "${COMPILER:-gcc}" --flags "$STEP_FLAGS" --link "$STEP_LINK" --jobs 1 \
-        --salt "${SALT:-photonlab}" ${JUDGE_FLAGS:-} "$@"
+    ${PIN:+taskset -c "$PIN"} "$PHOTONLAB_BUILD/judge" --build "$PHOTONLAB_BUILD" --work "$directory/work" --code "$directory/code" \
+        --step "$step" --jobs 1 --salt "${SALT:-photonlab}" ${JUDGE_FLAGS:-} "$@"
 }
 if [ -n "${FEATURES:-}" ]; then
     echo "$case $(run_judge --features 2>"$directory/stderr")"

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # What a student meets at the terminal: wrong folders and names, todo left behind, compile errors, points, exit codes, the
-# debugger. Usage: judge_test.sh BUILD COMPILER FLAGS LINK
+# debugger. `make check-judge` runs it.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
-build=$(cd "$1" && pwd)
+build=$(cd "$PHOTONLAB_BUILD" && pwd)
 stage1="$work/my code/1_diffuse_photon_map"
 mkdir -p "$stage1"
-judge=("$build/judge" --build "$build" --work "$work/test" --compiler "$2" --flags "$3" --link "$4" --code "$work/my code")
+judge=("$build/judge" --build "$build" --work "$work/test" --code "$work/my code")
 
 # expect CODE TEXT FLAGS…: the judge's exit code, and a text in what it says (white space counts as one blank).
 expect() {
@@ -132,7 +132,7 @@ Vec3 reflect(Vec3 direction, Vec3 normal)
 }
 END
 expect 1 "✗ scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5 stage 1, scatter: the scene gets 100 % fewer photons" --stage 1
-if bash "$here/scatter_power_test.sh" "$build" "$2" "$3" "$4" 1.2_corner 1.3_uniform >"$work/out" && grep -q "^2 of 2 are seen" "$work/out"; then
+if bash "$here/scatter_power_test.sh" 1.2_corner 1.3_uniform >"$work/out" && grep -q "^2 of 2 are seen" "$work/out"; then
     good "known mistakes are seen"
 else
     bad "known mistakes: $(cat "$work/out")"

@@ -1,13 +1,11 @@
 #!/usr/bin/env bash
 # Which known mistakes the scatter of their stage shows: each mistake alone in a step, the reference's elsewhere.
-#   scatter_power_test.sh BUILD COMPILER FLAGS LINK [NAME…]     run from the checkout; NAME: of a folder of tests/mistakes; all by default
+#   scatter_power_test.sh [NAME…]     run from the checkout; NAME: of a folder of tests/mistakes; all by default
 # Prints "a/NAME STATUS MESSAGE" each and, at the end, how many fail or do not get through, of how many.
 set -u
-build=$(cd "$1" && pwd) compiler=$2 flags=$3 link=$4
-shift 4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export build compiler flags link work
+export work
 
 one() {
     local patch=$1 name step stage solution place said
@@ -19,8 +17,7 @@ one() {
     mkdir -p "$place/code/$(basename "$(dirname "$solution")")" "$place/work"
     cp "$solution" "$place/code/${solution#solutions/}"
     patch -s -d "$place/code" -p2 <"$patch" >/dev/null || { echo "$name patch-does-not-apply"; return; }
-    said=$("$build/judge" --build "$build" --work "$place/work" --code "$place/code" --compiler "$compiler" --flags "$flags" \
-        --link "$link" --jobs 1 --stage "$stage" --scatters 1 2>/dev/null | cut -d ' ' -f 2,5-)
+    said=$("$PHOTONLAB_BUILD/judge" --build "$PHOTONLAB_BUILD" --work "$place/work" --code "$place/code" --jobs 1 --stage "$stage" --scatters 1 2>/dev/null | cut -d ' ' -f 2,5-)
     echo "$(basename "$name" .patch)/${name%/*} ${said:-not-played}"
     rm -rf "$place"
 }

@@ -18,12 +18,24 @@ CODE_SOURCE := $(if $(CODE_KEY),$(shell cd $(CODE_QUOTED) && case $(CODE_QUOTED)
 endif
 CODE_OBJECTS := $(patsubst $(CODE_SOURCE)/%.c,$(CODE_BUILD)/%.so,$(wildcard $(CODE_SOURCE)/[0-9]*_*/*.c))
 
+# How a step is compiled, the same in preview, render, test, submit and a class: with debug information, every warning, and the
+# arithmetic of the library. The judge and the scripts of tests/ find it in the environment.
+STEP_OPTIMISE ?= -O2
+STEP_FLAGS     = $(STANDARD) $(STEP_OPTIMISE) -g -fPIC $(filter-out -Werror,$(EXTRA))
+export PHOTONLAB_BUILD = $(BUILD)
+export PHOTONLAB_CC    = $(CC)
+export PHOTONLAB_FLAGS = $(STEP_FLAGS)
+export PHOTONLAB_LINK  = $(PLUGIN) $(filter -fsanitize%,$(EXTRA))
+
+# For a shell: the source $1 becomes the object $2. Two previews may build the same one. STEP_COMMAND is the same as one word.
+STEP_COMPILE = mkdir -p "$${2%/*}" && $(CC) $(STEP_FLAGS) -Ilib $(PLUGIN) -MMD -MP -MT "$$2" -MF "$${2%.so}.d" "$$1" -o "$$2.new$$$$" && mv "$$2.new$$$$" "$$2"
+STEP_COMMAND = '$(subst ','\'',$(STEP_COMPILE))'
+
 # A file that does not compile loses its object, so that the reference plays there and not what compiled yesterday. It is no
 # error for make: the other steps go on.
 define BUILD_STEP
-	@mkdir -p $(@D)
 	$(call say,cc,$<)
-	$(Q)$(CC) $(CFLAGS) $(PLUGIN) -MMD -MP -MT $@ -MF $(@:.so=.d) $< -o $@.new && mv $@.new $@ || \
+	$(Q)set -- '$<' '$@'; $(STEP_COMPILE) || \
 	    { rm -rf $@ $@.new*; echo "  ✗ $< does not compile; the reference plays in its place"; }
 endef
 
@@ -46,21 +58,12 @@ code-there:
 code-built: code-there $(CODE_OBJECTS)
 exercises-built: code-built
 
-.PHONY: exercises check-exercises hint reset
+.PHONY: hint reset
 
-## hint            a hint for a step, each call one that tells more: make hint STEP=2.1
+## hint  a hint for a step, each call one that tells more: make hint STEP=2.1
 hint: $(PROGRAM)
 	@sh tests/steps/hint.sh $(PROGRAM) "$$STEP" $(BUILD)
 
-## reset           the empty step again; your file is kept beside it: make reset STEP=2.1
+## reset  the empty step again; your file is kept beside it: make reset STEP=2.1
 reset:
 	@sh tests/steps/reset.sh "$$STEP"
-
-## exercises       bring the empty steps up to date with solutions/; files that were worked on stay as they are
-exercises:
-	@bash tests/steps/make_exercises.sh write
-
-##   check-exercises   exercises/ is what solutions/ gives, and nothing in it is solved
-check-exercises: all
-	@PROGRAM='$(PROGRAM)' STUB_FLAGS='$(STANDARD) $(OPTIMISE) -Ilib $(PKG_CFLAGS)' CODE_FLAGS='-fPIC $(PLUGIN)' \
-	    bash tests/steps/make_exercises.sh check

@@ -3,8 +3,8 @@
 #
 #   write   brings exercises/ and the pristine copies in exercises/.stubs/ up to what solutions/ gives. A file that somebody has
 #           worked on, that is one which differs from its pristine copy, is never touched.
-#   check   says in which way exercises/ is not what solutions/ gives, and builds every stub. Needs PROGRAM (build/photonlab) and
-#           STUB_FLAGS (what students' files are compiled with); CODE_FLAGS makes a shared object of them.
+#   check   says in which way exercises/ is not what solutions/ gives, and builds every stub. `make check-exercises`
+#           says what with.
 #
 # solutions/ and exercises/ are those of the folder it runs in.
 set -u
@@ -87,14 +87,14 @@ has_hints() {
 # build COMPILER FILE OBJECT; flags fall apart into words.
 build() {
     # shellcheck disable=SC2086
-    "$1" $STUB_FLAGS $CODE_FLAGS -Werror "$2" -o "$3"
+    "$1" $PHOTONLAB_FLAGS -Ilib $PHOTONLAB_LINK -Werror "$2" -o "$3"
 }
 
 # What students have at once: the stub without the line that marks it. A warning about parameters is meant to come then.
 builds_when_started() {
     grep -v '// take this line away when you start' "$2" >"$work/started.c"
     # shellcheck disable=SC2086
-    "$1" $STUB_FLAGS -Werror -Wno-error=unused-parameter -Wno-error=unused-function -fsyntax-only "$work/started.c" 2>&1 |
+    "$1" $PHOTONLAB_FLAGS -Ilib -Werror -Wno-error=unused-parameter -Wno-error=unused-function -fsyntax-only "$work/started.c" 2>&1 |
         { ! grep -A3 'error:'; }
 }
 
