@@ -90,7 +90,7 @@ $(BUILD)/tests/test_sandbox: $(call object,$(wildcard tests/judge/sandbox/*.c te
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) $^ -o $@ -lcmocka -lseccomp $(LDLIBS)
 check-sandbox: $(BUILD)/tests/test_sandbox
-	@$<
+	@bash tests/unit/run.sh $<
 
 ##check first reference  both integrators against an independent renderer's images
 reference: all

@@ -5,7 +5,10 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <setjmp.h>
 #include <signal.h>
+#include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,15 +18,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static int passed, failed;
-static char self[4096], room[256], secret[300], open_file[300];
+#include <cmocka.h>
 
-static void check(SandboxKind kind, bool holds, const char *what)
-{
-    passed += holds;
-    failed += !holds;
-    printf("%s %s: %s\n", holds ? "✓" : "✗", sandbox_name(kind), what);
-}
+static char self[4096], room[256], secret[300], open_file[300];
 
 // ---- inside ----
 
@@ -107,9 +104,11 @@ static int inside(const char *what, const char *path)
 
 #define RESULTS 64 // more than any test starts at once: a result must stand until it has been looked at
 
-static SandboxResult *run(SandboxKind kind, const char *what, const char *path, SandboxRun limits)
+static SandboxKind kind;
+
+static SandboxResult *run(const char *what, const char *path, SandboxRun limits)
 {
-    static SandboxResult result[RESULTS];
+    static SandboxResult results[RESULTS];
     static int next;
     int mine;
 #pragma omp atomic capture
@@ -125,84 +124,88 @@ static SandboxResult *run(SandboxKind kind, const char *what, const char *path, 
     limits.wall_seconds = limits.wall_seconds > 0 ? limits.wall_seconds : 20;
     limits.memory_mb = limits.memory_mb ? limits.memory_mb : 256;
     limits.file_mb = 1;
-    SandboxResult *mine_result = &result[mine % RESULTS];
-    if (!sandbox_run(kind, &limits, mine_result, &error))
+    SandboxResult *result = &results[mine % RESULTS];
+    if (!sandbox_run(kind, &limits, result, &error))
         printf("  %s: %s\n", what, error.message);
-    return mine_result;
+    return result;
 }
 
-#define PLAIN ((SandboxRun){.result_fd = 0})
-
-static void test_limits(SandboxKind kind)
+static bool keeps_the_end(const SandboxResult *r)
 {
-    SandboxResult *r = run(kind, "print", "", PLAIN);
-    check(kind, r->exit_code == 0 && r->printed == (1u << 20) + 8 && strstr(r->text, "the end\n"),
-          "keeps the end of what is printed");
-    r = run(kind, "flood", "", PLAIN);
-    check(kind, r->flooded && r->exit_code != 0, "ends a program that prints without end");
-    r = run(kind, "spin", "", (SandboxRun){.cpu_seconds = 1, .wall_seconds = 60});
-    check(kind, r->signal == SIGXCPU || r->signal == SIGKILL, "ends an endless loop");
-    check(kind, r->cpu_seconds > 0.9 && r->cpu_seconds < 3.0, "after the processor time it was given");
-    r = run(kind, "sleep", "", (SandboxRun){.wall_seconds = 0.5});
-    check(kind, r->timed_out && r->wall_seconds < 3.0, "ends one that waits for ever");
-    r = run(kind, "closed", "", PLAIN);
-    check(kind, r->exit_code == 0 && r->wall_seconds > 0.9, "waits for one that closed its output");
-    r = run(kind, "memory", "", PLAIN);
-    check(kind, r->exit_code == 77, "refuses memory beyond the limit");
-    r = run(kind, "abort", "", PLAIN);
-    check(kind, r->signal != 0 && r->exit_code == -1, "tells of a signal");
+    return r->printed == (1u << 20) + 8 && strstr(r->text, "the end\n");
 }
 
-static void test_files(SandboxKind kind)
+static bool is_flooded(const SandboxResult *r)
 {
+    return r->flooded;
+}
+
+static bool takes_its_second(const SandboxResult *r)
+{
+    return r->cpu_seconds > 0.9 && r->cpu_seconds < 3.0 && (r->signal == SIGXCPU || r->signal == SIGKILL);
+}
+
+static bool times_out(const SandboxResult *r)
+{
+    return r->timed_out && r->wall_seconds < 3.0;
+}
+
+static bool is_waited_for(const SandboxResult *r)
+{
+    return r->wall_seconds > 0.9;
+}
+
+// One run, and what has to come of it: a code, a signal where one is named, and what `more` asks for. −1: it was ended.
+typedef struct {
+    const char *name, *what, *path;
+    int exit_code, signal;
+    bool (*more)(const SandboxResult *result);
+    SandboxRun limits;
+} Case;
+
+static void one_case(void **state)
+{
+    const Case *c = *state;
+    const SandboxResult *r = run(c->what, c->path ? c->path : "", c->limits);
+    if (r->exit_code != c->exit_code || (c->signal && r->signal != c->signal) || (c->more && !c->more(r)))
+        fail_msg("exit code %d, signal %d, %.2f s, %.2f s of processor time: %.500s", r->exit_code, r->signal,
+                 r->wall_seconds, r->cpu_seconds, r->text);
+}
+
+static void descriptors(void **state)
+{
+    (void)state;
     char text[16] = "";
     int fd = memfd_create("result", MFD_CLOEXEC),
         other = open("/dev/null", O_RDONLY); // without O_CLOEXEC, as fopen does
-    SandboxResult *r = run(kind, "result", "", (SandboxRun){.result_fd = fd});
-    check(kind, r->exit_code == 0 && pread(fd, text, 15, 0) == 6, "gives descriptor 3 and no other");
+    SandboxResult *r = run("result", "", (SandboxRun){.result_fd = fd});
+    assert_true(r->exit_code == 0 && pread(fd, text, 15, 0) == 6);
     close(fd);
     close(other);
-    setenv("PHOTONLAB_TEST_LEAK", "1", 1);
-    check(kind, run(kind, "environment", "", PLAIN)->exit_code == 0, "gives an environment of its own");
-    check(kind, run(kind, "read", open_file, PLAIN)->exit_code == 1, "shows what is visible");
-    if (kind == SANDBOX_NONE)
-        return;
-    check(kind, run(kind, "read", secret, PLAIN)->exit_code == 0, "hides what is not");
-    check(kind, run(kind, "root", "", PLAIN)->exit_code != 1, "runs as nobody");
 }
 
-static void test_calls(SandboxKind kind)
+static void eight_at_once(void **state)
 {
-    static const char *const calls[] = {"socket", "fork", "write", "huge"};
-    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
-        char what[80];
-        SandboxResult *r = run(kind, calls[i], "", PLAIN);
-        snprintf(what, sizeof what, "ends a probe at: %s", calls[i]);
-        check(kind, r->signal == SIGSYS, what);
-    }
-    SandboxResult *r = run(kind, "socket", "", (SandboxRun){.compiler = true});
-    check(kind, r->exit_code == 0, "gives a compiler no socket, but lets it live");
-    r = run(kind, "fork", "", (SandboxRun){.compiler = true});
-    check(kind, r->exit_code == 1, "lets a compiler fork");
-    r = run(kind, "behind", "", (SandboxRun){.compiler = true});
-    check(kind,
-          r->exit_code == 0 && r->wall_seconds < 10 &&
-              system("pgrep -f 'test_sandbox --inside behin[d]' >/dev/null") != 0,
-          "leaves no process behind");
-}
-
-static void test_together(SandboxKind kind)
-{
+    (void)state;
     int right = 0;
 #pragma omp parallel for num_threads(8) reduction(+ : right)
     for (int i = 0; i < 32; i++)
-        right += run(kind, "read", open_file, PLAIN)->exit_code == 1;
-    check(kind, right == 32, "runs 8 at once");
+        right += run("read", open_file, (SandboxRun){.result_fd = 0})->exit_code == 1;
+    assert_int_equal(right, 32);
+}
+
+static void nothing_left_behind(void **state)
+{
+    (void)state;
+    SandboxResult *r = run("behind", "", (SandboxRun){.compiler = true});
+    assert_true(r->exit_code == 0 && r->wall_seconds < 10);
+    assert_int_not_equal(system("pgrep -f 'test_sandbox --inside behin[d]' >/dev/null"), 0);
 }
 
 // An exposed secret is no reason for bubblewrap, which does not show it; the user of its own would read it.
-static void test_exposed(SandboxKind kind)
+static void exposed_secret(void **state)
 {
+    (void)state;
     const char *const arguments[] = {self, "--inside", "read", secret, NULL};
     static SandboxResult result;
     Error error = {""};
@@ -218,28 +221,57 @@ static void test_exposed(SandboxKind kind)
     bool ran = sandbox_run(kind, &exposed, &result, &error);
     chmod(secret, 0600);
     if (kind == SANDBOX_UID)
-        check(kind, !ran && strstr(error.message, "chmod -R go-rwx"),
-              "refuses to run when others can read what is hidden");
+        assert_true(!ran && strstr(error.message, "chmod -R go-rwx"));
     else
-        check(kind, ran && result.exit_code == 0, "hides what others can read");
+        assert_true(ran && result.exit_code == 0);
 }
 
-static void test_kind(SandboxKind kind)
+static const Case everywhere[] = {
+    {"keeps the end of what is printed", "print", NULL, 0, 0, keeps_the_end, {0}},
+    {"ends a program that prints without end", "flood", NULL, -1, 0, is_flooded, {0}},
+    {"ends an endless loop", "spin", NULL, -1, 0, takes_its_second, {.cpu_seconds = 1, .wall_seconds = 60}},
+    {"ends one that waits for ever", "sleep", NULL, -1, 0, times_out, {.wall_seconds = 0.5}},
+    {"waits for one that closed its output", "closed", NULL, 0, 0, is_waited_for, {0}},
+    {"refuses memory beyond the limit", "memory", NULL, 77, 0, NULL, {0}},
+    {"tells of a signal", "abort", NULL, -1, 0, NULL, {0}},
+    {"gives an environment of its own", "environment", NULL, 0, 0, NULL, {0}},
+    {"shows what is visible", "read", open_file, 1, 0, NULL, {0}},
+};
+
+static const Case confined[] = {
+    {"hides what is not", "read", secret, 0, 0, NULL, {0}},
+    {"runs as nobody", "root", NULL, -1, SIGSYS, NULL, {0}},
+    {"ends a probe at: socket", "socket", NULL, -1, SIGSYS, NULL, {0}},
+    {"ends a probe at: fork", "fork", NULL, -1, SIGSYS, NULL, {0}},
+    {"ends a probe at: write", "write", NULL, -1, SIGSYS, NULL, {0}},
+    {"ends a probe at: huge", "huge", NULL, -1, SIGSYS, NULL, {0}},
+    {"gives a compiler no socket, but lets it live", "socket", NULL, 0, 0, NULL, {.compiler = true}},
+    {"lets a compiler fork", "fork", NULL, 1, 0, NULL, {.compiler = true}},
+};
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+static int test_kind(void)
 {
     char reason[2048];
     setenv("PHOTONLAB_SANDBOX", sandbox_name(kind), 1);
-    SandboxKind got = sandbox_open(reason, sizeof reason);
-    if (got != kind) {
+    if (sandbox_open(reason, sizeof reason) != kind) {
         printf("○ %s: not here: %s\n", sandbox_name(kind), reason);
-        return;
+        return 0;
     }
-    test_limits(kind);
-    test_files(kind);
-    test_together(kind);
-    if (kind == SANDBOX_NONE)
-        return;
-    test_calls(kind);
-    test_exposed(kind);
+    struct CMUnitTest tests[COUNT(everywhere) + COUNT(confined) + 4] = {
+        {.name = "gives descriptor 3 and no other", .test_func = descriptors},
+        {.name = "runs 8 at once", .test_func = eight_at_once},
+        {.name = "leaves no process behind", .test_func = nothing_left_behind},
+        {.name = "minds a secret that others can read, or hides it", .test_func = exposed_secret},
+    };
+    bool none = kind == SANDBOX_NONE;
+    size_t count = none ? 2 : 4; // the last two are about a sandbox
+    for (size_t i = 0; i < COUNT(everywhere) + (none ? 0 : COUNT(confined)); i++) {
+        const Case *c = i < COUNT(everywhere) ? &everywhere[i] : &confined[i - COUNT(everywhere)];
+        tests[count++] = (struct CMUnitTest){.name = c->name, .test_func = one_case, .initial_state = (void *)c};
+    }
+    return _cmocka_run_group_tests(sandbox_name(kind), tests, count, NULL, NULL);
 }
 
 static void write_file(const char *path, mode_t mode)
@@ -263,12 +295,13 @@ int main(int count, char **arguments)
     snprintf(open_file, sizeof open_file, "%s/open", room);
     write_file(secret, 0600);
     write_file(open_file, 0644);
-    for (int kind = SANDBOX_BUBBLEWRAP; kind <= SANDBOX_NONE; kind++)
-        if (count == 1 || strcmp(arguments[1], sandbox_name((SandboxKind)kind)) == 0)
-            test_kind((SandboxKind)kind);
+    setenv("PHOTONLAB_TEST_LEAK", "1", 1);
+    int failed = 0;
+    for (kind = SANDBOX_BUBBLEWRAP; kind <= SANDBOX_NONE; kind++)
+        if (count == 1 || strcmp(arguments[1], sandbox_name(kind)) == 0)
+            failed += test_kind();
     unlink(secret);
     unlink(open_file);
     rmdir(room);
-    printf("%d passed, %d failed\n", passed, failed);
     return failed > 0;
 }
