@@ -1,11 +1,19 @@
 #!/bin/sh
-# Installs what building and testing need, where the system's package manager is apt; elsewhere says what to install.
+# Installs what is missing, where the system's package manager is apt; elsewhere says what to install. Usage: setup.sh [TARGET…]
+# What students need comes always, what teachers need where their files are, and the rest with a target that needs it.
 set -eu
 
-packages="gcc make pkg-config libpng-dev libyaml-dev libcmocka-dev clang libomp-dev xz-utils
- binutils libgsl-dev libjansson-dev libseccomp-dev libarchive-dev bubblewrap gdb patch parallel zip unzip jq libxml2-utils perl
- libglfw3-dev libstb-dev libegl1 libgl1-mesa-dri xvfb xdotool pandoc gnuplot-nox"
-packages=$(echo $packages)
+packages="gcc make pkg-config libpng-dev libyaml-dev binutils libgsl-dev libjansson-dev libseccomp-dev bubblewrap gdb
+ libglfw3-dev libstb-dev libegl1 libgl1-mesa-dri pandoc"
+[ ! -f tests/class/teacher.mk ] || packages="$packages libarchive-dev parallel zip unzip"
+for target in "$@"; do
+    case $target in
+    check* | class-trial | reference | agreement | bench* | calibrate | fuzz | *figures | *-table)
+        packages="$packages libcmocka-dev clang libomp-dev xz-utils patch jq libxml2-utils perl xvfb xdotool gnuplot-nox"
+        break
+        ;;
+    esac
+done
 # Newer systems have dropped these; something else does their work there.
 where_there_is="libosmesa6"
 
@@ -35,18 +43,40 @@ done
 [ -n "$missing" ] || exit 0
 
 echo "installing:$missing"
-if [ "$(id -u)" = 0 ]; then
-    as_root=""
-elif command -v sudo >/dev/null 2>&1; then
-    as_root="sudo"
-else
-    echo "not root, and no sudo here. As root, run:"
-    echo "  apt-get update && apt-get install -y$missing"
+stop() {
+    echo "$1 As root, run:"
+    echo "  apt-get update && apt-get install -y --no-install-recommends$missing"
     exit 1
+}
+as_root=""
+if [ "$(id -u)" != 0 ]; then
+    as_root="sudo"
+    command -v sudo >/dev/null 2>&1 || stop "not root, and no sudo here."
+    sudo true || stop "sudo does not let you."
 fi
-$as_root apt-get update -qq
+
+# Whoever holds one of apt's and dpkg's locks stands in /proc/locks, by the file's number.
+is_busy() {
+    for lock in /var/lib/apt/lists/lock /var/lib/dpkg/lock-frontend /var/lib/dpkg/lock /var/cache/apt/archives/lock; do
+        number=$(stat -c %i "$lock" 2>/dev/null) && grep -q ":$number " /proc/locks 2>/dev/null && return 0
+    done
+    return 1
+}
+
+# apt ARGUMENTS…: after whoever is at it now, a system that updates itself in the background say.
+apt() {
+    waited=0
+    while is_busy; do
+        [ $waited != 0 ] || echo "the package manager is busy with something else; waiting for it, ten minutes at most"
+        [ $waited -lt 600 ] || stop "it still is: run make setup again later."
+        sleep 2
+        waited=$((waited + 2))
+    done
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600 "$@" >/dev/null
+}
+apt update
 for package in $where_there_is; do
     is_installed "$package" || ! apt-cache policy "$package" | grep -q 'Candidate: [0-9]' || missing="$missing $package"
 done
 # shellcheck disable=SC2086  # the list is meant to fall apart into words
-$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
+apt install -y --no-install-recommends $missing
