@@ -8,11 +8,7 @@
 
 #include "photonlab.h"
 #include "scene/file/scene_load.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/test.h"
 
 #include <stdlib.h>
 #include <string.h>

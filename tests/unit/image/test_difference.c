@@ -1,10 +1,6 @@
 // The difference of two images, against values worked out by hand.
 #include "image/difference.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/test.h"
 
 #include <math.h>
 #include <string.h>
@@ -31,9 +27,8 @@ static void assert_near(double value, double expected)
 }
 
 // Image (2, 0, 2), (3, 0, 0) against reference (1, 0, 2), (3, 0, 2).
-static void two_pixels_have_known_values(void **state)
+TEST(two_pixels_have_known_values)
 {
-    (void)state;
     Image image = make_image(2, 1), reference = make_image(2, 1);
     ImageDifference d;
     image.pixels[0] = colour(2, 0, 2);
@@ -60,9 +55,8 @@ static void two_pixels_have_known_values(void **state)
     image_free(&reference);
 }
 
-static void mask_leaves_its_rectangle_out(void **state)
+TEST(mask_leaves_its_rectangle_out)
 {
-    (void)state;
     Image image = make_image(5, 4), reference = make_image(5, 4);
     ImageDifference d;
     Error error = {""};
@@ -88,9 +82,8 @@ static void mask_leaves_its_rectangle_out(void **state)
     image_free(&reference);
 }
 
-static void trimming_drops_one_pixel_in_a_thousand(void **state)
+TEST(trimming_drops_one_pixel_in_a_thousand)
 {
-    (void)state;
     Image image = make_image(2000, 1), reference = make_image(2000, 1);
     ImageDifference d;
     image.pixels[7].r = 3.0f;
@@ -108,9 +101,8 @@ static void trimming_drops_one_pixel_in_a_thousand(void **state)
     image_free(&reference);
 }
 
-static void pairs_that_cannot_be_compared_are_refused(void **state)
+TEST(pairs_that_cannot_be_compared_are_refused)
 {
-    (void)state;
     Image image = make_image(3, 2), turned = make_image(2, 3), broken = make_image(3, 2), empty = {0}, picture;
     Error size = {""}, number = {""}, scale = {""};
     ImageDifference d;
@@ -139,9 +131,8 @@ static void assert_colour(Colour c, float r, float g, float b)
     assert_float_equal(c.b, b, 1e-6f);
 }
 
-static void picture_is_red_where_brighter(void **state)
+TEST(picture_is_red_where_brighter)
 {
-    (void)state;
     Image image = make_image(5, 1), reference = make_image(5, 1), picture;
     image.pixels[0] = colour(0.75f, 0.0f, 0.0f); // the mean over channels: 0.25
     reference.pixels[1] = colour_grey(0.25f);
@@ -159,9 +150,8 @@ static void picture_is_red_where_brighter(void **state)
     image_free(&picture);
 }
 
-static void picture_finds_its_scale(void **state)
+TEST(picture_finds_its_scale)
 {
-    (void)state;
     Image image = make_image(201, 1), reference = make_image(201, 1), picture;
     for (int i = 0; i <= 200; i++)
         image.pixels[(i * 89) % 201] = colour_grey((float)i / 200.0f); // percentile 99: number 198, 0.99
@@ -183,17 +173,4 @@ static void picture_finds_its_scale(void **state)
     image_free(&picture);
     image_free(&image);
     image_free(&reference);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_pixels_have_known_values),
-        cmocka_unit_test(mask_leaves_its_rectangle_out),
-        cmocka_unit_test(trimming_drops_one_pixel_in_a_thousand),
-        cmocka_unit_test(pairs_that_cannot_be_compared_are_refused),
-        cmocka_unit_test(picture_is_red_where_brighter),
-        cmocka_unit_test(picture_finds_its_scale),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,11 +1,7 @@
 // Images: the sRGB curve, files that are written and read again, writes that fail, differences worked out by
 // hand.
 #include "image/image.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/test.h"
 
 #include <dirent.h>
 #include <float.h>
@@ -76,9 +72,8 @@ static void assert_message(const Error *error, const char *part)
 
 // ---- Curve and memory ----
 
-static void curve_has_known_values(void **state)
+TEST(curve_has_known_values)
 {
-    (void)state;
     assert_float_equal(srgb_encode(0.5f), 0.735357f, 1e-6f);
     assert_float_equal(srgb_encode(0.18f), 0.461356f, 1e-6f);
     assert_float_equal(srgb_encode(0.002f), 0.02584f, 1e-7f);
@@ -91,18 +86,16 @@ static void curve_has_known_values(void **state)
     }
 }
 
-static void curve_and_back_keeps_16_bits(void **state)
+TEST(curve_and_back_keeps_16_bits)
 {
-    (void)state;
     for (int i = 0; i <= 65535; i++) {
         float again = srgb_encode(srgb_decode((float)i / 65535.0f));
         assert_int_equal((int)(again * 65535.0f + 0.5f), i);
     }
 }
 
-static void create_refuses_impossible_sizes(void **state)
+TEST(create_refuses_impossible_sizes)
 {
-    (void)state;
     const int sizes[][2] = {{0, 1}, {1, 0}, {-3, 5}, {65537, 1}, {1, 65537}, {65536, 65536}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         Error error = {""};
@@ -123,9 +116,8 @@ static void create_refuses_impossible_sizes(void **state)
 static const int sizes[][2] = {{1, 1}, {1, 7}, {9, 1}, {5, 3}, {64, 33}};
 #define SIZES (sizeof sizes / sizeof *sizes)
 
-static void pfm_comes_back_exactly(void **state)
+TEST(pfm_comes_back_exactly)
 {
-    (void)state;
     for (size_t i = 0; i < SIZES; i++) {
         Image image = make_pattern(sizes[i][0], sizes[i][1]), again;
         image.pixels[0] = colour(-FLT_MAX, 1e-42f, -0.0f);
@@ -139,9 +131,8 @@ static void pfm_comes_back_exactly(void **state)
     }
 }
 
-static void png_comes_back_within_half_a_step(void **state)
+TEST(png_comes_back_within_half_a_step)
 {
-    (void)state;
     for (size_t i = 0; i < 2 * SIZES; i++) {
         int bits = i % 2 ? 8 : 16;
         float step = bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f;
@@ -160,9 +151,8 @@ static void png_comes_back_within_half_a_step(void **state)
     }
 }
 
-static void endings_choose_the_format(void **state)
+TEST(endings_choose_the_format)
 {
-    (void)state;
     const char *known[] = {"a.png", "a.PNG", "b.c/d.Pfm"}, *unknown[] = {"a.jpg", "png", "a.png/b", "", "a."};
     for (size_t i = 0; i < 3; i++)
         assert_true(image_path_is_known(known[i], NULL));
@@ -177,9 +167,8 @@ static void endings_choose_the_format(void **state)
     image_free(&image);
 }
 
-static void paths_that_cannot_be_used_are_named(void **state)
+TEST(paths_that_cannot_be_used_are_named)
 {
-    (void)state;
     Image image = make_image(1, 1), none = {0};
     Error missing = {""}, no_folder = {""}, folder_read = {""}, folder_write = {""}, device = {""}, bits = {""};
     assert_int_equal(mkdir("folder.png", 0777), 0);
@@ -208,9 +197,8 @@ static void assert_whole(const char *path, int width)
     image_free(&image);
 }
 
-static void failed_writes_keep_the_old_file(void **state)
+TEST(failed_writes_keep_the_old_file)
 {
-    (void)state;
     const char *paths[] = {"keep.png", "keep.pfm"};
     const float bad[] = {NAN, INFINITY, -INFINITY};
     Image old = make_pattern(5, 4), large = make_pattern(64, 64);
@@ -248,9 +236,8 @@ static void failed_writes_keep_the_old_file(void **state)
     image_free(&large);
 }
 
-static void protected_places_are_refused(void **state)
+TEST(protected_places_are_refused)
 {
-    (void)state;
     if (geteuid() == 0)
         skip(); // the administrator may write anywhere
     Image image = make_image(1, 1);
@@ -266,18 +253,4 @@ static void protected_places_are_refused(void **state)
     image_free(&image);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(curve_has_known_values),
-        cmocka_unit_test(curve_and_back_keeps_16_bits),
-        cmocka_unit_test(create_refuses_impossible_sizes),
-        cmocka_unit_test(pfm_comes_back_exactly),
-        cmocka_unit_test(png_comes_back_within_half_a_step),
-        cmocka_unit_test(endings_choose_the_format),
-        cmocka_unit_test(paths_that_cannot_be_used_are_named),
-        cmocka_unit_test(failed_writes_keep_the_old_file),
-        cmocka_unit_test(protected_places_are_refused),
-    };
-    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
-}
+AROUND_TESTS(enter_folder, leave_folder)

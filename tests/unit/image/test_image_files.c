@@ -2,12 +2,8 @@
 // them.
 #include "image/codec.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <cmocka.h>
-
 #include "unit/image/png_builder.h"
+#include "unit/test.h"
 
 #include <string.h>
 
@@ -41,9 +37,8 @@ static const PngKind KINDS[] = {
     {"RGB, interlaced", {8, 2, 0, 0, 1}, 22, "\0\1\1\1\0\3\3\3\0\2\2\2\0\1\1\1\x55\xff\0\3\3\3"},
 };
 
-static void every_kind_of_png_is_read(void **state)
+TEST(every_kind_of_png_is_read)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof KINDS / sizeof *KINDS; i++) {
         const PngKind *kind = &KINDS[i];
         PngFile file;
@@ -157,9 +152,8 @@ static void assert_refused(ImageDecoder *decode, const unsigned char *bytes, siz
     assert_int_equal(image.width, 0);
 }
 
-static void damaged_png_is_refused(void **state)
+TEST(damaged_png_is_refused)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof BAD_PNG / sizeof *BAD_PNG; i++) {
         PngFile file;
         build_bad(&file, &BAD_PNG[i]);
@@ -167,9 +161,8 @@ static void damaged_png_is_refused(void **state)
     }
 }
 
-static void png_with_a_damaged_stream_is_refused(void **state)
+TEST(png_with_a_damaged_stream_is_refused)
 {
-    (void)state;
     const struct {
         size_t size;
         const char *stream, *message;
@@ -194,9 +187,8 @@ static void png_with_a_damaged_stream_is_refused(void **state)
 #define BYTES(text) (const unsigned char *)(text), sizeof(text) - 1
 
 // 1×2 pixels: the upper one 1 and 2 and -0.5, the lower one 0.
-static void both_byte_orders_and_grey_are_read(void **state)
+TEST(both_byte_orders_and_grey_are_read)
 {
-    (void)state;
     const struct {
         const unsigned char *bytes;
         size_t size;
@@ -253,21 +245,8 @@ static const struct {
     {BYTES("PF\n1 1\n1\n\0\0\0\0\xff\x80\0\0\0\0\0\0"), "(0, -inf, 0)"},
 };
 
-static void damaged_pfm_is_refused(void **state)
+TEST(damaged_pfm_is_refused)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof BAD_PFM / sizeof *BAD_PFM; i++)
         assert_refused(image_read_pfm_memory, BAD_PFM[i].bytes, BAD_PFM[i].size, i, BAD_PFM[i].message);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kind_of_png_is_read),
-        cmocka_unit_test(damaged_png_is_refused),
-        cmocka_unit_test(png_with_a_damaged_stream_is_refused),
-        cmocka_unit_test(both_byte_orders_and_grey_are_read),
-        cmocka_unit_test(damaged_pfm_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,15 +4,10 @@
 
 #include "math/rng.h"
 #include "photons/photon_map.h"
+#include "unit/test.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 typedef enum { CUBE, PLANE, LINE, ONE_PLACE, CLUSTERS, LATTICE, ARRANGEMENTS } Arrangement;
 

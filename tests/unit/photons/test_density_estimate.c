@@ -7,14 +7,9 @@
 // expectation below follows, whatever N is.
 #include "math/rng.h"
 #include "photons/photon_map.h"
+#include "unit/test.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
-
-#include <cmocka.h>
 
 enum { PHOTONS = 500, TRIALS = 10000, MOST_K = 50 };
 
@@ -147,16 +142,9 @@ static void check_filters(size_t k)
         check_mean(&cases[c], k, sums[c], sums2[c]);
 }
 
-static void test_filters(void **state)
+TEST(test_filters)
 {
-    (void)state;
     check_filters(8);
     check_filters(20);
     check_filters(50);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_filters)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

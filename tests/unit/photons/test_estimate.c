@@ -30,9 +30,8 @@ static PhotonMap *map_of(const StoredPhoton *photons, size_t count)
 
 // One photon of power Φ at distance d under a cone of radius r: L = ρ/π · Φ · 3(1 − d/r)/(πr²), whatever its
 // slant.
-static void one_photon_under_the_cone(void **state)
+TEST(one_photon_under_the_cone)
 {
-    (void)state;
     Hit hit = floor_hit(0, 0);
     Gather gather = {.k = 10, .radius = 0.5f, .near = near};
     for (int slant = 0; slant < 90; slant += 20) {
@@ -47,9 +46,8 @@ static void one_photon_under_the_cone(void **state)
     }
 }
 
-static void photons_of_the_other_side_do_not_count(void **state)
+TEST(photons_of_the_other_side_do_not_count)
 {
-    (void)state;
     Hit hit = floor_hit(0, 0);
     Gather gather = {.k = 10, .radius = 0.5f, .near = near};
     StoredPhoton photons[2] = {photon_on_floor(0.1f, 0, tilted(30), 1), photon_on_floor(0.1f, 0, tilted(150), 1)};
@@ -63,9 +61,8 @@ static void photons_of_the_other_side_do_not_count(void **state)
     photon_map_free(both);
 }
 
-static void an_empty_map_is_dark(void **state)
+TEST(an_empty_map_is_dark)
 {
-    (void)state;
     Hit hit = floor_hit(0, 0);
     Gather gather = {.k = 10, .radius = INFINITY, .near = near};
     PhotonMap *map = map_of(NULL, 0);
@@ -76,9 +73,8 @@ static void an_empty_map_is_dark(void **state)
 // Uniform light, E = 1 W/m² from 100000 photons on 1 m²: the mean of many estimates is ρE/π. With k photons
 // and the distance to the k-th, as with a fixed radius (k larger than what it holds): the cone that reaches
 // just to the k-th is unbiased.
-static void uniform_photons_give_the_irradiance(void **state)
+TEST(uniform_photons_give_the_irradiance)
 {
-    (void)state;
     enum { COUNT = 100000, GRID = 24 };
     static StoredPhoton photons[COUNT];
     Rng rng = rng_create(16, 0);
@@ -103,13 +99,4 @@ static void uniform_photons_give_the_irradiance(void **state)
     photon_map_free(map);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_photon_under_the_cone),
-        cmocka_unit_test(photons_of_the_other_side_do_not_count),
-        cmocka_unit_test(an_empty_map_is_dark),
-        cmocka_unit_test(uniform_photons_give_the_irradiance),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

@@ -55,9 +55,8 @@ static void check_scene(const Scene *scene, const char *name)
     assert_int_equal(redraw_cap_count(), 0);
 }
 
-static void every_example_scene(void **state)
+TEST(every_example_scene)
 {
-    (void)state;
     glob_t found;
     assert_int_equal(glob("scenes/*.yaml", 0, NULL, &found), 0);
     for (size_t i = 0; i < found.gl_pathc; i++) {
@@ -102,9 +101,8 @@ static const char closed_room[] =
            "material: flint}\n";
 
 // All kinds of lights and materials in a room without a gap: nothing escapes.
-static void nothing_escapes_from_a_closed_room(void **state)
+TEST(nothing_escapes_from_a_closed_room)
 {
-    (void)state;
     Scene *scene = scene_from_text(closed_room);
     check_scene(scene, "closed room");
     for (uint64_t seed = 2; seed < 4; seed++) {
@@ -126,9 +124,8 @@ static void nothing_escapes_from_a_closed_room(void **state)
 
 // Inside a grey sphere of reflectance ρ lit by Φ, photons arrive with Φ·ρ^k after k bounces: they deposit
 // Φ/(1−ρ) in all.
-static void integrating_sphere(void **state)
+TEST(integrating_sphere)
 {
-    (void)state;
     Scene *scene = scene_from_text(CAMERA "render: {depth: 1000}\n"
                                           "materials: [{name: grey, type: diffuse, reflectance: [0.5, 0.8, 0.9]}]\n"
                                           "lights: [{type: point, position: [0.3, 0.2, 0], power: [1, 1, 1]}]\n"
@@ -180,9 +177,8 @@ static bool ledger_notices(const Scene *scene)
     return false;
 }
 
-static void cheating_steps_are_noticed(void **state)
+TEST(cheating_steps_are_noticed)
 {
-    (void)state;
     Scene *scene = scene_from_text(closed_room);
     steps_play(PLAY_DEFAULT);
     const Steps honest = steps;
@@ -199,13 +195,4 @@ static void cheating_steps_are_noticed(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_example_scene),
-        cmocka_unit_test(nothing_escapes_from_a_closed_room),
-        cmocka_unit_test(integrating_sphere),
-        cmocka_unit_test(cheating_steps_are_noticed),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

@@ -99,9 +99,8 @@ static void check_query(const PhotonMap *map, Vec3 point, const size_t *ks, size
 }
 
 // A widely copied traversal never visits the last three or four photons, which shows for few photons.
-static void test_nearest_of_few(void **state)
+TEST(test_nearest_of_few)
 {
-    (void)state;
     for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++)
         for (size_t count = 0; count <= 64; count++) {
             PhotonMap *map = make_map((Arrangement)arrangement, count, 1 + count);
@@ -127,21 +126,18 @@ static void nearest_of_many(size_t count, int queries)
     }
 }
 
-static void test_nearest_of_1000(void **state)
+TEST(test_nearest_of_1000)
 {
-    (void)state;
     nearest_of_many(1000, 30);
 }
 
-static void test_nearest_of_100000(void **state)
+TEST(test_nearest_of_100000)
 {
-    (void)state;
     nearest_of_many(100000, 6);
 }
 
-static void test_no_photons_wanted(void **state)
+TEST(test_no_photons_wanted)
 {
-    (void)state;
     PhotonMap *map = make_map(CUBE, 100, 5);
     NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(0)];
     float radius2 = 3.0f;
@@ -197,9 +193,8 @@ static void check_within(const PhotonMap *map, Vec3 point, float radius)
     free(sorted);
 }
 
-static void test_visit_and_within(void **state)
+TEST(test_visit_and_within)
 {
-    (void)state;
     static const size_t counts[] = {0, 1, 2, 15, 16, 17, 31, 32, 33, 63, 64, 65, 127, 1000, 20000};
     static const float radii[] = {0.0f, 0.01f, 0.2f, 1.0f, 1000.0f};
     for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++)
@@ -216,9 +211,8 @@ static void test_visit_and_within(void **state)
 }
 
 // The header's example, word for word.
-static void test_example_of_the_header(void **state)
+TEST(test_example_of_the_header)
 {
-    (void)state;
     const size_t count = 20000;
     StoredPhoton *photons = make_photons(CUBE, count, 8);
     Vec3 point = vec3(0.1f, 0.2f, -0.3f);
@@ -239,14 +233,4 @@ static void test_example_of_the_header(void **state)
     assert_true(radius2 == sorted[49]);
     free(sorted);
     photon_map_free(map);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nearest_of_few),    cmocka_unit_test(test_nearest_of_1000),
-        cmocka_unit_test(test_nearest_of_100000), cmocka_unit_test(test_no_photons_wanted),
-        cmocka_unit_test(test_visit_and_within),  cmocka_unit_test(test_example_of_the_header),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,9 +5,8 @@
 #include <omp.h>
 #endif
 
-static void test_keeps_every_photon(void **state)
+TEST(test_keeps_every_photon)
 {
-    (void)state;
     enum { COUNT = 30000 };
     for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++) {
         StoredPhoton *before = make_photons((Arrangement)arrangement, COUNT, 8);
@@ -27,9 +26,8 @@ static void test_keeps_every_photon(void **state)
     }
 }
 
-static void test_same_order_for_any_threads(void **state)
+TEST(test_same_order_for_any_threads)
 {
-    (void)state;
     enum { COUNT = 100000 };
     for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++) {
         PhotonMap *maps[3];
@@ -55,9 +53,8 @@ static uint64_t hash_number(uint64_t hash, const StoredPhoton *photon)
 
 // The same order from every compiler and on every system, ties and all: the figure here is for all of them.
 // It changes when the building or searching does, and with it the images (in their last bits).
-static void test_same_order_everywhere(void **state)
+TEST(test_same_order_everywhere)
 {
-    (void)state;
     uint64_t hash = 0xcbf29ce484222325u;
     for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++) {
         PhotonMap *map = make_map((Arrangement)arrangement, 5000, 10);
@@ -73,9 +70,8 @@ static void test_same_order_everywhere(void **state)
     assert_true(hash == 0xf93a34b35583421bu);
 }
 
-static void test_refuses_bad_positions(void **state)
+TEST(test_refuses_bad_positions)
 {
-    (void)state;
     static const float bad[] = {NAN, INFINITY, -INFINITY, 1e19f};
     for (int i = 0; i < 12; i++) {
         StoredPhoton *photons = make_photons(CUBE, 100, 11);
@@ -87,9 +83,8 @@ static void test_refuses_bad_positions(void **state)
     }
 }
 
-static void test_memory(void **state)
+TEST(test_memory)
 {
-    (void)state;
     static const size_t counts[] = {32, 33, 64, 65, 128, 129, 256, 257, 512, 513, 1025, 4097, 16385, 100000};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
         PhotonMap *map = make_map(CUBE, counts[i], 12);
@@ -98,16 +93,4 @@ static void test_memory(void **state)
         photon_map_free(map);
     }
     photon_map_free(NULL);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_keeps_every_photon),
-        cmocka_unit_test(test_same_order_for_any_threads),
-        cmocka_unit_test(test_same_order_everywhere),
-        cmocka_unit_test(test_refuses_bad_positions),
-        cmocka_unit_test(test_memory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

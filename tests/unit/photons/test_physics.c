@@ -79,15 +79,13 @@ static void check_prism(double incidence, const double expected[3])
 // D = i1 + i2 − A with sin r1 = sin i1/n, r2 = A − r1, sin i2 = n·sin r2; n = 1.78133, 1.79132, 1.81369
 // (Schott's Sellmeier coefficients at 611.28, 549.13, 464.31 nm). At 63.5935° green goes through
 // symmetrically: its least deviation.
-static void prism_splits_white_light(void **state)
+TEST(prism_splits_white_light)
 {
-    (void)state;
     check_prism(63.5935, (double[]){65.926, 67.187, 70.226});
 }
 
-static void prism_of_the_example_scene(void **state)
+TEST(prism_of_the_example_scene)
 {
-    (void)state;
     Mean share[3];
     Scene *scene = scene_from_file("scenes/prism.yaml");
     assert_int_equal(scene->lights[0].type, LIGHT_BEAM);
@@ -100,16 +98,14 @@ static void prism_of_the_example_scene(void **state)
 
 // Below i1 = asin(n·sin(A − asin(1/n))) face 2 reflects totally: 50.955° for red, 51.915° green, 54.133°
 // blue.
-static void prism_lets_only_red_out(void **state)
+TEST(prism_lets_only_red_out)
 {
-    (void)state;
     check_prism(51.5, (double[]){75.494, NAN, NAN});
 }
 
 // The beginner's black prism: nothing leaves through face 2, but no light is lost either.
-static void prism_at_45_degrees_reflects_every_colour(void **state)
+TEST(prism_at_45_degrees_reflects_every_colour)
 {
-    (void)state;
     check_prism(45.0, (double[]){NAN, NAN, NAN});
     Scene *scene = prism_scene(45.0);
     PhotonPass pass = photons_of(scene, 20000, 1, PLAY_DEFAULT);
@@ -149,9 +145,8 @@ static void bows(const Scene *scene, double primary[4], double secondary[4])
 
 // Descartes: primary 4r − 2i at cos i = √((n²−1)/3); secondary 180° + 2i − 6r at cos i = √((n²−1)/8). Water
 // at 20 °C (Daimon & Masumura 2007): n = 1.33269, 1.33472, 1.33871 at 611.28, 549.13, 464.31 nm.
-static void rainbow_of_a_drop_of_water(void **state)
+TEST(rainbow_of_a_drop_of_water)
 {
-    (void)state;
     const double first[3] = {42.122, 41.829, 41.255}, second[3] = {50.811, 51.340, 52.377};
     double primary[4], secondary[4];
     Scene *scene = scene_from_file("scenes/raindrop.yaml");
@@ -165,9 +160,8 @@ static void rainbow_of_a_drop_of_water(void **state)
 }
 
 // The textbook's two indices, each by itself: glass of one index makes a white bow.
-static void rainbow_of_textbook_indices(void **state)
+TEST(rainbow_of_textbook_indices)
 {
-    (void)state;
     const double indices[2] = {1.331, 1.343}, first[2] = {42.370, 40.646}, second[2] = {50.365, 53.478};
     for (int i = 0; i < 2; i++) {
         double primary[4], secondary[4];
@@ -186,12 +180,4 @@ static void rainbow_of_textbook_indices(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(prism_splits_white_light),   cmocka_unit_test(prism_of_the_example_scene),
-        cmocka_unit_test(prism_lets_only_red_out),    cmocka_unit_test(prism_at_45_degrees_reflects_every_colour),
-        cmocka_unit_test(rainbow_of_a_drop_of_water), cmocka_unit_test(rainbow_of_textbook_indices),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

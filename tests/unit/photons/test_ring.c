@@ -52,9 +52,8 @@ static void crossing(const PhotonPass *pass, double t, double *x, double *y)
 
 // Parallel light: half a nephroid ((3cos t − cos 3t)/4, (3sin t − sin 3t)/4), its cusp at R/2. Beyond t = 78°
 // light meets the mirror a second time before it reaches the floor.
-static void parallel_light_in_a_ring_makes_a_nephroid(void **state)
+TEST(parallel_light_in_a_ring_makes_a_nephroid)
 {
-    (void)state;
     Scene *scene = scene_from_file("scenes/ring.yaml");
     PhotonPass pass = photons_of(scene, 400000, 1, PLAY_DEFAULT);
     for (int t = -70; t <= 70; t += 10) {
@@ -72,9 +71,8 @@ static void parallel_light_in_a_ring_makes_a_nephroid(void **state)
 // A source on the rim at (−1, 0): a cardioid. The mirror's formula 1/s + 1/q = 2/cos i (R = 1), with the
 // incidence i = t/2 and the source's distance s = 2cos i, gives q = (2/3)cos i: the rays cross that far from
 // the mirror, reflected to angle 2i about the way to the source. Cusp at R/3.
-static void source_on_the_rim_makes_a_cardioid(void **state)
+TEST(source_on_the_rim_makes_a_cardioid)
 {
-    (void)state;
     Scene *scene = scene_from_file("scenes/ring.yaml");
     scene->lights[0] = (Light){.type = LIGHT_POINT,
                                .position = vec3(0.9999f * (float)RING_RADIUS, 0.02f, 0.0f),
@@ -93,11 +91,4 @@ static void source_on_the_rim_makes_a_cardioid(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parallel_light_in_a_ring_makes_a_nephroid),
-        cmocka_unit_test(source_on_the_rim_makes_a_cardioid),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

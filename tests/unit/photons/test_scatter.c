@@ -16,9 +16,8 @@ static Hit hit_on(const Material *material)
 }
 
 // The mean power that goes on by each way is Φ_c ρ_c, channel by channel, for white and for coloured photons.
-static void glossy_bounce_keeps_the_mean(void **state)
+TEST(glossy_bounce_keeps_the_mean)
 {
-    (void)state;
     Material material = {
         .type = MATERIAL_GLOSSY, .diffuse = {0.5f, 0.1f, 0.0f}, .specular = {0.2f, 0.6f, 0.9f}, .exponent = 1e6f};
     const Colour powers[] = {{1, 1, 1}, {0, 2, 0}, {5, 0.1f, 1}};
@@ -50,9 +49,8 @@ static void glossy_bounce_keeps_the_mean(void **state)
 
 // Where both parts have one colour, choosing in proportion to their flux makes every weight 1: no power ever
 // changes.
-static void glossy_bounce_chooses_in_proportion(void **state)
+TEST(glossy_bounce_chooses_in_proportion)
 {
-    (void)state;
     Material material = {
         .type = MATERIAL_GLOSSY, .diffuse = {0.2f, 0.2f, 0.2f}, .specular = {0.6f, 0.6f, 0.6f}, .exponent = 1e6f};
     Hit hit = hit_on(&material);
@@ -75,9 +73,8 @@ static void glossy_bounce_chooses_in_proportion(void **state)
 
 // 4 % come back from glass of index 1.5 seen straight on; the others go through, as bright and as white as
 // they came.
-static void glass_bounce(void **state)
+TEST(glass_bounce)
 {
-    (void)state;
     Material glass = {.type = MATERIAL_GLASS, .index = {1.5f, 1.5f, 1.5f}};
     Hit hit = hit_on(&glass);
     Rng rng = rng_create(63, 0);
@@ -98,12 +95,4 @@ static void glass_bounce(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(glossy_bounce_keeps_the_mean),
-        cmocka_unit_test(glossy_bounce_chooses_in_proportion),
-        cmocka_unit_test(glass_bounce),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

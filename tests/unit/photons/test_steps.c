@@ -1,9 +1,8 @@
 // The reference steps of stages 1 and 3, one by one, against values worked out by hand. Stage 2: test_lobe.c.
 #include "unit/test_common.h"
 
-static void reflect_mirrors(void **state)
+TEST(reflect_mirrors)
 {
-    (void)state;
     Vec3 r = steps.reflect(vec3(0.6f, 0.0f, -0.8f), vec3(0.0f, 0.0f, 1.0f));
     assert_within(angle_between(r, vec3(0.6f, 0.0f, 0.8f)), 0.0, 1e-5, "mirror direction");
     Rng rng = rng_create(11, 0);
@@ -19,9 +18,8 @@ static void reflect_mirrors(void **state)
 
 // u and v along the sides of a slanted rectangle are uniform, the direction is cosine-distributed: cos²θ is
 // uniform.
-static void emit_photon_covers_the_light(void **state)
+TEST(emit_photon_covers_the_light)
 {
-    (void)state;
     Light light = {.type = LIGHT_RECTANGLE,
                    .position = vec3(1, 2, 3),
                    .edge_u = vec3(2, 0, 0),
@@ -54,9 +52,8 @@ static void emit_photon_covers_the_light(void **state)
 }
 
 // Density cosθ/π: cos²θ and the azimuth about the normal are uniform, for any normal.
-static void scatter_diffuse_is_lambert(void **state)
+TEST(scatter_diffuse_is_lambert)
 {
-    (void)state;
     const Vec3 normals[] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}, {0.48f, 0.64f, -0.6f}};
     enum { SIDE = 16, BINS = SIDE * SIDE, COUNT = 200 * BINS };
     for (int k = 0; k < 5; k++) {
@@ -83,9 +80,8 @@ static void scatter_diffuse_is_lambert(void **state)
 
 // The share that survives is Σ Φρ / Σ Φ, the mean power per channel Φρ: also for coloured photons, whose
 // other channels must not count.
-static void russian_roulette_keeps_the_mean(void **state)
+TEST(russian_roulette_keeps_the_mean)
 {
-    (void)state;
     const Colour powers[] = {{1, 1, 1}, {2, 0, 0}, {0, 0, 0.5f}, {3, 0.1f, 1}};
     const Colour surface = {0.9f, 0.4f, 0.05f};
     const double survival[] = {1.35 / 3.0, 0.9, 0.05, 2.79 / 4.1};
@@ -108,9 +104,8 @@ static void russian_roulette_keeps_the_mean(void **state)
     }
 }
 
-static void russian_roulette_at_its_ends(void **state)
+TEST(russian_roulette_at_its_ends)
 {
-    (void)state;
     Rng rng = rng_create(15, 0);
     for (int i = 0; i < 1000; i++) {
         Colour power = colour(1, 2, 3), none = colour_grey(0);
@@ -125,9 +120,8 @@ static void russian_roulette_at_its_ends(void **state)
 }
 
 // Snell: n_i sinθ_i = n_t sinθ_t, in the plane of direction and normal.
-static void refract_obeys_snell(void **state)
+TEST(refract_obeys_snell)
 {
-    (void)state;
     Rng rng = rng_create(31, 0);
     for (int i = 0; i < 2000; i++) {
         Vec3 n = random_direction(&rng), d = random_direction(&rng), t;
@@ -148,9 +142,8 @@ static void refract_obeys_snell(void **state)
 }
 
 // Out of glass, n = 1.5: total reflection from asin(1/1.5) = 41.8103° on. It leaves *refracted alone.
-static void refract_reflects_totally(void **state)
+TEST(refract_reflects_totally)
 {
-    (void)state;
     Vec3 t = {7, 8, 9}, n = {0, 0, 1};
     Vec3 above = vec3(tilted(41.82).x, 0, -tilted(41.82).z), below = vec3(tilted(41.80).x, 0, -tilted(41.80).z);
     assert_false(steps.refract(above, n, 1.5f, &t));
@@ -161,9 +154,8 @@ static void refract_reflects_totally(void **state)
     assert_true(steps.fresnel(-below.z, 1.5f) < 1.0f);
 }
 
-static void fresnel_values(void **state)
+TEST(fresnel_values)
 {
-    (void)state;
     assert_within(steps.fresnel(1.0f, 1.0f / 1.5f), 0.04, 1e-7, "glass seen straight on: ((n-1)/(n+1))^2");
     assert_within(steps.fresnel(1.0f, 1.5f), 0.04, 1e-7, "the same from inside");
     assert_within(steps.fresnel(1e-4f, 1.0f / 1.5f), 1.0, 1e-3, "grazing");
@@ -182,9 +174,8 @@ static void fresnel_values(void **state)
 
 // N-SF11 from inside at 33.95°: red and green partly leave, blue not; the mean is 0.862, where the mean index
 // would say 1.
-static void white_light_is_reflected_by_three_indices(void **state)
+TEST(white_light_is_reflected_by_three_indices)
 {
-    (void)state;
     Material flint = {.type = MATERIAL_GLASS, .index = {1.78133f, 1.79132f, 1.81369f}, .disperses = true};
     float cos_i = (float)cos(33.95 / DEGREES), mean = 0.0f;
     assert_within(steps.refractive_index(&flint, WHITE), 1.79545, 1e-5, "white has the mean index");
@@ -197,9 +188,8 @@ static void white_light_is_reflected_by_three_indices(void **state)
     assert_within(steps.fresnel(cos_i, steps.refractive_index(&flint, WHITE)), 1.0, 0.0, "at the mean index");
 }
 
-static void split_colour_once(void **state)
+TEST(split_colour_once)
 {
-    (void)state;
     Material flint = {.type = MATERIAL_GLASS, .index = {1.5f, 1.6f, 1.7f}, .disperses = true};
     Material crown = {.type = MATERIAL_GLASS, .index = {1.5f, 1.5f, 1.5f}};
     Photon white = photon_create(vec3(1, 2, 3), vec3(0, 0, 1), colour(4, 5, 6)), children[3], again[3];
@@ -225,9 +215,8 @@ static int number_of(const StepInfo *step)
     return 1000 * step->stage + atoi(strchr(step->id, '.') + 1);
 }
 
-static void table_is_in_order(void **state)
+TEST(table_is_in_order)
 {
-    (void)state;
     assert_int_equal(step_table[0].stage, 1);
     for (int i = 1; i < STEP_COUNT; i++) {
         assert_true(number_of(&step_table[i - 1]) < number_of(&step_table[i]));
@@ -238,17 +227,15 @@ static void table_is_in_order(void **state)
         assert_ptr_equal(step_find(step_table[i].id), &step_table[i]);
 }
 
-static void an_id_is_no_part_of_another(void **state)
+TEST(an_id_is_no_part_of_another)
 {
-    (void)state;
     assert_true(step_is_listed("1.10 2.1", "1.10") && step_is_listed("1.10,2.1", "2.1"));
     assert_false(step_is_listed("1.10 12.1", "1.1") || step_is_listed("1.10 12.1", "2.1") || step_is_listed("", "1.1"));
 }
 
 // What plays in the place of what, and what `--steps` makes of it.
-static void pairs_of_steps(void **state)
+TEST(pairs_of_steps)
 {
-    (void)state;
     StepChoice choice;
     Error error = {""};
     char text[40];
@@ -271,22 +258,4 @@ static void pairs_of_steps(void **state)
     assert_string_equal(text, "2.4,1.5");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_id_is_no_part_of_another),
-        cmocka_unit_test(pairs_of_steps),
-        cmocka_unit_test(table_is_in_order),
-        cmocka_unit_test(reflect_mirrors),
-        cmocka_unit_test(emit_photon_covers_the_light),
-        cmocka_unit_test(scatter_diffuse_is_lambert),
-        cmocka_unit_test(russian_roulette_keeps_the_mean),
-        cmocka_unit_test(russian_roulette_at_its_ends),
-        cmocka_unit_test(refract_obeys_snell),
-        cmocka_unit_test(refract_reflects_totally),
-        cmocka_unit_test(fresnel_values),
-        cmocka_unit_test(white_light_is_reflected_by_three_indices),
-        cmocka_unit_test(split_colour_once),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

@@ -58,9 +58,8 @@ static double through_panes(double index, int m)
     return (1.0 - r) / (1.0 + (2 * m - 1) * r);
 }
 
-static void panes_of_one_index(void **state)
+TEST(panes_of_one_index)
 {
-    (void)state;
     for (int loop = 0; loop < 2; loop++) {
         Scene *scene = panes(loop ? "indices: [1.5, 1.5, 1.5]" : "index: 1.5");
         PhotonPass pass = photons_of(scene, FEWER(100000), 1, (StepChoice){GLOSSY_PHONG, loop});
@@ -74,9 +73,8 @@ static void panes_of_one_index(void **state)
 }
 
 // As dispersion goes to zero the three colours carry what white carried, and arrive as one white again.
-static void panes_of_nearly_one_index(void **state)
+TEST(panes_of_nearly_one_index)
 {
-    (void)state;
     Scene *scene = panes("indices: [1.5, 1.500001, 1.500002]");
     PhotonPass pass = photons_of(scene, FEWER(200000), 1, PLAY_DEFAULT);
     Arrived at = arrived(&pass);
@@ -93,9 +91,8 @@ static void panes_of_nearly_one_index(void **state)
 
 // Strong dispersion: each colour by its own index, though white photons choose by the mean of three
 // reflectances.
-static void panes_of_strong_dispersion(void **state)
+TEST(panes_of_strong_dispersion)
 {
-    (void)state;
     const double index[3] = {1.3, 1.6, 2.4};
     Scene *scene = panes("indices: [1.3, 1.6, 2.4]");
     PhotonPass pass = photons_of(scene, FEWER(200000), 1, PLAY_DEFAULT);
@@ -111,9 +108,8 @@ static void panes_of_strong_dispersion(void **state)
 
 // What is reflected at the outside of dispersing glass has not been inside: it stays white, its channels
 // weighted by their own reflectance F_c = ((n−1)/(n+1))².
-static void reflected_light_stays_white(void **state)
+TEST(reflected_light_stays_white)
 {
-    (void)state;
     Scene *scene = scene_from_text(
         "camera: {position: [0, 0, -1], target: [0, 0, 0], vertical_fov: 40}\n"
         "materials:\n"
@@ -144,9 +140,8 @@ static void reflected_light_stays_white(void **state)
 }
 
 // A grey room with glass of one index: no photon is ever coloured, no channel ever differs.
-static void a_grey_room_stays_grey(void **state)
+TEST(a_grey_room_stays_grey)
 {
-    (void)state;
     Scene *scene = scene_from_text(
         "camera: {position: [0, 0, 0.9], target: [0, 0, 0], vertical_fov: 60}\n"
         "materials:\n"
@@ -175,9 +170,8 @@ static void a_grey_room_stays_grey(void **state)
 
 // Without glass the two ways to trace draw the same random numbers in the same order: not only equal
 // statistics, but equal photons.
-static void loop_and_recursion_agree_without_glass(void **state)
+TEST(loop_and_recursion_agree_without_glass)
 {
-    (void)state;
     const char *files[] = {"scenes/box_diffuse.yaml", "scenes/box_glossy.yaml", "scenes/ring.yaml"};
     for (int f = 0; f < 3; f++) {
         Scene *scene = scene_from_file(files[f]);
@@ -194,12 +188,4 @@ static void loop_and_recursion_agree_without_glass(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(panes_of_one_index),         cmocka_unit_test(panes_of_nearly_one_index),
-        cmocka_unit_test(panes_of_strong_dispersion), cmocka_unit_test(reflected_light_stays_white),
-        cmocka_unit_test(a_grey_room_stays_grey),     cmocka_unit_test(loop_and_recursion_agree_without_glass),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

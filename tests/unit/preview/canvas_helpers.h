@@ -4,11 +4,7 @@
 
 #include "unit/preview/canvas_leaks.h"
 #include "preview/draw/context/context.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/test.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -11,9 +11,8 @@ static void square(Vertex out[6], float x, float y, float z, float size, uint8_t
 
 // ---- Shapes ----
 
-static void shapes_are_where_they_belong(void **state)
+TEST(shapes_are_where_they_belong)
 {
-    (void)state;
     Canvas *canvas = new_canvas();
     canvas_begin(canvas);
     view_pixels(canvas);
@@ -35,9 +34,8 @@ static void shapes_are_where_they_belong(void **state)
     canvas_free(canvas);
 }
 
-static void large_points_and_rectangles_have_their_size(void **state)
+TEST(large_points_and_rectangles_have_their_size)
 {
-    (void)state;
     Canvas *canvas = new_canvas();
     canvas_begin(canvas);
     view_pixels(canvas);
@@ -51,9 +49,8 @@ static void large_points_and_rectangles_have_their_size(void **state)
     canvas_free(canvas);
 }
 
-static void a_view_ends_at_its_rectangle(void **state)
+TEST(a_view_ends_at_its_rectangle)
 {
-    (void)state;
     static const float SAME[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     Canvas *canvas = new_canvas();
     canvas_begin(canvas);
@@ -72,9 +69,8 @@ static void a_view_ends_at_its_rectangle(void **state)
     canvas_free(canvas);
 }
 
-static void a_new_picture_is_black(void **state)
+TEST(a_new_picture_is_black)
 {
-    (void)state;
     Canvas *canvas = new_canvas();
     canvas_begin(canvas);
     canvas_rectangle(canvas, 0, 0, WIDTH, HEIGHT, (const uint8_t[4]){255, 255, 255, 255});
@@ -89,9 +85,8 @@ static void a_new_picture_is_black(void **state)
 
 // ---- Styles ----
 
-static void light_adds_up(void **state)
+TEST(light_adds_up)
 {
-    (void)state;
     Canvas *canvas = new_canvas();
     canvas_begin(canvas);
     view_pixels(canvas);
@@ -111,9 +106,8 @@ static void light_adds_up(void **state)
     canvas_free(canvas);
 }
 
-static void what_is_near_hides_what_is_far(void **state)
+TEST(what_is_near_hides_what_is_far)
 {
-    (void)state;
     Canvas *canvas = new_canvas();
     canvas_begin(canvas);
     view_pixels(canvas);
@@ -137,9 +131,8 @@ static void what_is_near_hides_what_is_far(void **state)
     canvas_free(canvas);
 }
 
-static void a_glass_colour_lets_half_through(void **state)
+TEST(a_glass_colour_lets_half_through)
 {
-    (void)state;
     Canvas *canvas = new_canvas();
     canvas_begin(canvas);
     canvas_rectangle(canvas, 0, 0, 10, 10, (const uint8_t[4]){100, 0, 0, 255});
@@ -149,16 +142,4 @@ static void a_glass_colour_lets_half_through(void **state)
     canvas_free(canvas);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(shapes_are_where_they_belong),
-        cmocka_unit_test(large_points_and_rectangles_have_their_size),
-        cmocka_unit_test(a_view_ends_at_its_rectangle),
-        cmocka_unit_test(a_new_picture_is_black),
-        cmocka_unit_test(light_adds_up),
-        cmocka_unit_test(what_is_near_hides_what_is_far),
-        cmocka_unit_test(a_glass_colour_lets_half_through),
-    };
-    return cmocka_run_group_tests(tests, start, end);
-}
+AROUND_TESTS(start, end)

@@ -1,9 +1,8 @@
 // What stands on a canvas: buffers of vertices, words, pictures; and its size.
 #include "unit/preview/canvas_helpers.h"
 
-static void a_buffer_is_drawn_in_parts(void **state)
+TEST(a_buffer_is_drawn_in_parts)
 {
-    (void)state;
     Canvas *canvas = new_canvas();
     VertexBuffer buffer = {0, 0, 0};
     Vertex points[8];
@@ -36,9 +35,8 @@ static void a_buffer_is_drawn_in_parts(void **state)
     canvas_free(canvas);
 }
 
-static void words_stay_in_their_lines(void **state)
+TEST(words_stay_in_their_lines)
 {
-    (void)state;
     static const uint8_t WHITE[4] = {255, 255, 255, 255};
     Canvas *canvas = new_canvas();
     canvas_begin(canvas);
@@ -65,9 +63,8 @@ static void words_stay_in_their_lines(void **state)
     canvas_free(canvas);
 }
 
-static void a_picture_stands_upright(void **state)
+TEST(a_picture_stands_upright)
 {
-    (void)state;
     static const uint8_t PICTURE[16] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 255};
     Canvas *canvas = new_canvas();
     canvas_begin(canvas);
@@ -89,9 +86,8 @@ static void a_picture_stands_upright(void **state)
     canvas_free(canvas);
 }
 
-static void a_canvas_changes_its_size(void **state)
+TEST(a_canvas_changes_its_size)
 {
-    (void)state;
     Canvas *canvas = new_canvas();
     Error error = {""};
     assert_false(canvas_resize(canvas, 0, 10, &error));
@@ -113,13 +109,4 @@ static void a_canvas_changes_its_size(void **state)
     canvas_free(canvas);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_buffer_is_drawn_in_parts),
-        cmocka_unit_test(words_stay_in_their_lines),
-        cmocka_unit_test(a_picture_stands_upright),
-        cmocka_unit_test(a_canvas_changes_its_size),
-    };
-    return cmocka_run_group_tests(tests, start, end);
-}
+AROUND_TESTS(start, end)

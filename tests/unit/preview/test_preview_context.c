@@ -1,11 +1,7 @@
 // Where the preview draws: the same bytes from OSMesa, EGL and a window, and what is said when they are missing.
 #include "preview/draw/context/context.h"
 #include "preview/window.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "unit/test.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -90,9 +86,8 @@ static bool draw_elsewhere(ContextKind kind, bool in_window, uint8_t *rgba)
     return got == sizeof seen;
 }
 
-static void osmesa_and_egl_draw_the_same_bytes(void **state)
+TEST(osmesa_and_egl_draw_the_same_bytes)
 {
-    (void)state;
     static uint8_t other[sizeof seen];
     if (!draw_elsewhere(CONTEXT_OSMESA, false, seen) || !draw_elsewhere(CONTEXT_EGL, false, other))
         skip();
@@ -129,9 +124,8 @@ static pid_t start_display(void)
     return server;
 }
 
-static void a_window_draws_the_same_bytes(void **state)
+TEST(a_window_draws_the_same_bytes)
 {
-    (void)state;
     static uint8_t other[sizeof seen];
     if (!draw_elsewhere(CONTEXT_ANY, false, seen))
         skip();
@@ -152,9 +146,8 @@ static void a_window_draws_the_same_bytes(void **state)
 
 // ---- What is missing ----
 
-static void what_is_missing_is_named(void **state)
+TEST(what_is_missing_is_named)
 {
-    (void)state;
     Error error = {""}, osmesa = {""}, window = {""}, screen = {""};
     setenv("PHOTONLAB_WITHOUT", "osmesa,egl,glfw", 1);
     assert_null(context_create(CONTEXT_ANY, &error));
@@ -174,9 +167,8 @@ static void what_is_missing_is_named(void **state)
 #endif
 }
 
-static void egl_serves_without_osmesa(void **state)
+TEST(egl_serves_without_osmesa)
 {
-    (void)state;
     static uint8_t other[sizeof seen];
     bool have_egl = draw_elsewhere(CONTEXT_EGL, false, seen);
     setenv("PHOTONLAB_WITHOUT", "osmesa", 1);
@@ -188,15 +180,10 @@ static void egl_serves_without_osmesa(void **state)
     assert_memory_equal(seen, other, sizeof seen);
 }
 
-int main(void)
+static int software_alone(void **state) // the same on every machine
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(osmesa_and_egl_draw_the_same_bytes),
-        cmocka_unit_test(a_window_draws_the_same_bytes),
-        cmocka_unit_test(egl_serves_without_osmesa),
-        cmocka_unit_test(what_is_missing_is_named),
-    };
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1); // the same on every machine
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    (void)state;
+    return setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1) || setenv("GALLIUM_DRIVER", "llvmpipe", 1);
 }
+
+AROUND_TESTS(software_alone, NULL)

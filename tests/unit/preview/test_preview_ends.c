@@ -34,9 +34,8 @@ static int count_workers(void)
     return count;
 }
 
-static void nothing_is_left_of_200_runs(void **state)
+TEST(nothing_is_left_of_200_runs)
 {
-    (void)state;
     char code[1024];
     int before = count_files();
     for (int i = 0; i < 200; i++) {
@@ -76,9 +75,8 @@ static bool is_gone(long pid)
 }
 
 // A window that is killed takes helper and workers with it.
-static void the_helper_ends_with_the_window(void **state)
+TEST(the_helper_ends_with_the_window)
 {
-    (void)state;
     int told[2];
     assert_int_equal(pipe(told), 0);
     pid_t window = fork();
@@ -104,9 +102,8 @@ static void the_helper_ends_with_the_window(void **state)
     close(told[1]);
 }
 
-static void a_lost_helper_is_told(void **state)
+TEST(a_lost_helper_is_told)
 {
-    (void)state;
     char code[1024];
     Error error = {""};
     Broker *own = broker_start(scene, NULL, &error);
@@ -127,12 +124,4 @@ static int set_up(void **state)
     return preview_start(state, &endless, 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_is_left_of_200_runs),
-        cmocka_unit_test(the_helper_ends_with_the_window),
-        cmocka_unit_test(a_lost_helper_is_told),
-    };
-    return cmocka_run_group_tests(tests, set_up, preview_end);
-}
+AROUND_TESTS(set_up, preview_end)

@@ -54,9 +54,8 @@ static void fails(const char *name, const char *expected)
 
 #define HERE "1.3_scatter_diffuse.c"
 
-static void crashes_are_named(void **state)
+TEST(crashes_are_named)
 {
-    (void)state;
     fails("null", HERE "@2: scatter_diffuse: segmentation fault: an address that is not yours (a null pointer, or an "
                        "index far beyond an array?)");
     fails("divide", HERE "@2: scatter_diffuse: an integer was divided by 0");
@@ -65,17 +64,15 @@ static void crashes_are_named(void **state)
     fails("recursion", HERE "@2: scatter_diffuse: the stack overflowed: it calls itself without end");
 }
 
-static void ends_are_named(void **state)
+TEST(ends_are_named)
 {
-    (void)state;
     fails("exit", HERE "@3: scatter_diffuse: called exit, which ends the whole program");
     fails("exit_at_once", "a step ended the program (exit code 3) before the run was done");
     fails("killed", "the run was ended from outside (signal 9): by hand, or by the system for want of memory?");
 }
 
-static void memory_is_limited(void **state)
+TEST(memory_is_limited)
 {
-    (void)state;
 #ifdef SANITIZED
     skip(); // under it there is no limit
 #endif
@@ -83,18 +80,16 @@ static void memory_is_limited(void **state)
     fails("memory_filled", HERE "@5: scatter_diffuse: asked for ever more memory: 0.3 GB when it was stopped");
 }
 
-static void missing_names_are_named(void **state)
+TEST(missing_names_are_named)
 {
-    (void)state;
     fails("undefined", HERE ":4: scatter_diffuse: calls `helper_of_mine`, and there is no such function");
     fails("no_function", HERE ": there is no function `scatter_diffuse` in it; see the prototype in lib/steps/");
     fails("misspelt", "1.3_scatter_difuse.c: no step has this name; solutions/1_diffuse_photon_map/ shows what they "
                       "are called");
 }
 
-static void endless_loops_are_ended(void **state)
+TEST(endless_loops_are_ended)
 {
-    (void)state;
 #define ENDLESS "@2: trace_photon: ran for 0.15 s without finishing a photon; an endless loop?"
     fails("endless", "1.5_trace_photon.c" ENDLESS);
     fails("flood", "1.5_trace_photon.c" ENDLESS);
@@ -106,12 +101,4 @@ static int set_up(void **state)
     return preview_start(state, faults, FAULTS);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(crashes_are_named),       cmocka_unit_test(ends_are_named),
-        cmocka_unit_test(memory_is_limited),       cmocka_unit_test(missing_names_are_named),
-        cmocka_unit_test(endless_loops_are_ended),
-    };
-    return cmocka_run_group_tests(tests, set_up, preview_end);
-}
+AROUND_TESTS(set_up, preview_end)

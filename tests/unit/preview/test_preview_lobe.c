@@ -22,9 +22,8 @@ static double density_integral(StepChoice play, bool diffuse)
     return sum * 2 * (double)PI / (rings * spokes);
 }
 
-static void densities_add_up(void **state)
+TEST(densities_add_up)
 {
-    (void)state;
     LobeTable *table = malloc(sizeof *table);
     assert_non_null(table);
     lobe_table_fill(table, 20);
@@ -120,9 +119,8 @@ static Distance cloud_distance(size_t setting, StepFault fault)
     return distance;
 }
 
-static void right_samples_lie_on_the_surface(void **state)
+TEST(right_samples_lie_on_the_surface)
 {
-    (void)state;
     for (size_t i = 0; i < SETTINGS; i++) {
         Distance d = cloud_distance(i, RIGHT);
         if (!(d.apart < 1.25 * d.noise && fabs(d.outwards) < 0.01))
@@ -133,9 +131,8 @@ static void right_samples_lie_on_the_surface(void **state)
 }
 
 // Each fault moves the points far off, and is counted where a count is kept of it.
-static void wrong_samples_do_not(void **state)
+TEST(wrong_samples_do_not)
 {
-    (void)state;
     for (size_t i = 0; i < SETTINGS; i += 4) { // a glossy one and the diffuse one
         Distance inside_out = cloud_distance(i, INSIDE_OUT), unturned = cloud_distance(i, UNTURNED);
         Distance too_long = cloud_distance(i, TOO_LONG), right = cloud_distance(i, RIGHT);
@@ -148,9 +145,8 @@ static void wrong_samples_do_not(void **state)
 }
 
 // What is no direction at all is counted, and makes no point.
-static void nothing_and_no_number_are_left_out(void **state)
+TEST(nothing_and_no_number_are_left_out)
 {
-    (void)state;
     Lobe lobe;
     LobeCounts counts;
     Vertices cloud = {.items = NULL};
@@ -174,13 +170,4 @@ static void nothing_and_no_number_are_left_out(void **state)
     vertices_free(&cloud);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(densities_add_up),
-        cmocka_unit_test(right_samples_lie_on_the_surface),
-        cmocka_unit_test(wrong_samples_do_not),
-        cmocka_unit_test(nothing_and_no_number_are_left_out),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

@@ -16,9 +16,8 @@ static void project(const float m[16], Vec3 p, double *x, double *y, double *dep
     *depth = clip[2] / clip[3];
 }
 
-static void the_scenes_rays_are_where_the_projection_shows_them(void **state)
+TEST(the_scenes_rays_are_where_the_projection_shows_them)
 {
-    (void)state;
     const char *scenes[] = {"scenes/box_diffuse.yaml", "scenes/prism.yaml", "scenes/ring.yaml"};
     for (int s = 0; s < 3; s++) {
         Scene *scene = scene_from_file(scenes[s]);
@@ -39,9 +38,8 @@ static void the_scenes_rays_are_where_the_projection_shows_them(void **state)
     }
 }
 
-static void the_target_stays_in_the_middle(void **state)
+TEST(the_target_stays_in_the_middle)
 {
-    (void)state;
     Orbit orbit = orbit_look(vec3(3, 4, 5), vec3(0.5f, 0.25f, 0), 40);
     Camera camera = orbit_camera(&orbit);
     assert_true(vec3_length(vec3_sub(camera.position, vec3(3, 4, 5))) < 1e-5f);
@@ -67,9 +65,8 @@ static void the_target_stays_in_the_middle(void **state)
     assert_true(orbit.distance > 0 && isfinite(orbit.yaw + orbit.pitch));
 }
 
-static void a_framed_box_just_fits(void **state)
+TEST(a_framed_box_just_fits)
 {
-    (void)state;
     for (int i = 0; i < 24; i++) {
         float aspect = i % 2 ? 0.5f : 2.0f, matrix[16];
         double most = 0;
@@ -87,12 +84,4 @@ static void a_framed_box_just_fits(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_scenes_rays_are_where_the_projection_shows_them),
-        cmocka_unit_test(the_target_stays_in_the_middle),
-        cmocka_unit_test(a_framed_box_just_fits),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

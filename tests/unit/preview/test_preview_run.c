@@ -1,9 +1,8 @@
 // Runs in helper processes give the same photons, samples and pictures as without them.
 #include "unit/preview/preview_helpers.h"
 
-static void the_photons_of_a_pass(void **state)
+TEST(the_photons_of_a_pass)
 {
-    (void)state;
     char code[1024];
     RunRequest request = photons_request(NULL, code, sizeof code);
     request.photons = 20000;
@@ -34,9 +33,8 @@ static void the_photons_of_a_pass(void **state)
 }
 
 // Legs follow on each other, and a photon has flown as far as the legs to it are long.
-static void legs_and_flight(void **state)
+TEST(legs_and_flight)
 {
-    (void)state;
     char code[1024];
     RunRequest request = photons_request(NULL, code, sizeof code);
     request.photons = request.recorded = 3000;
@@ -70,9 +68,8 @@ static void legs_and_flight(void **state)
     recording_free(&recording);
 }
 
-static void lobe_is_the_step(void **state)
+TEST(lobe_is_the_step)
 {
-    (void)state;
     RunRequest request = {.kind = RUN_LOBE, .seed = 3, .samples = 5000, .exponent = 20.0f, .angle = 60.0f};
     Run *run = start(&request);
     RunStatus status = finish(run);
@@ -100,9 +97,8 @@ static void lobe_is_the_step(void **state)
     lobe_samples_free(&samples);
 }
 
-static void passes_of_a_render(void **state)
+TEST(passes_of_a_render)
 {
-    (void)state;
     RunRequest request = {
         .kind = RUN_RENDER, .seed = 5, .photons = 3000, .width = 24, .height = 20, .camera = scene->camera};
     Run *run = start(&request);
@@ -134,9 +130,8 @@ static void passes_of_a_render(void **state)
     assert_within(seen, mean[0], 1e-5 * fabs(mean[0]), "mean of the passes");
     run_free(run);
 }
-static void what_has_come_is_a_first_part(void **state)
+TEST(what_has_come_is_a_first_part)
 {
-    (void)state;
     RunRequest request = {.kind = RUN_PHOTONS, .seed = 7, .photons = 100000, .recorded = 10};
     Recording early, whole;
     broker_workers(broker, 1);
@@ -165,14 +160,4 @@ static int set_up(void **state)
     return preview_start(state, NULL, 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_photons_of_a_pass),
-        cmocka_unit_test(legs_and_flight),
-        cmocka_unit_test(lobe_is_the_step),
-        cmocka_unit_test(passes_of_a_render),
-        cmocka_unit_test(what_has_come_is_a_first_part),
-    };
-    return cmocka_run_group_tests(tests, set_up, preview_end);
-}
+AROUND_TESTS(set_up, preview_end)

@@ -23,9 +23,8 @@ static size_t wire_lines(const char *name, Box *box)
     return lines;
 }
 
-static void wires_show_edges_and_leave_meshes_light(void **state)
+TEST(wires_show_edges_and_leave_meshes_light)
 {
-    (void)state;
     Box box;
     // The open room's 12 edges, the lamp's 4, and two spheres of 7 circles with 64 parts.
     assert_int_equal(wire_lines("scenes/box_diffuse.yaml", &box), 12 + 4 + 2 * 7 * 64);
@@ -34,9 +33,8 @@ static void wires_show_edges_and_leave_meshes_light(void **state)
     assert_true(lines > 1000 && lines < 4000); // a round mesh: few of its 100000s of edges
 }
 
-static void brightness_does_not_depend_on_the_number(void **state)
+TEST(brightness_does_not_depend_on_the_number)
 {
-    (void)state;
     float pixels = 400000;
     float few = 50000 * points_exposure(50000, pixels, 3), many = 5e5f * points_exposure(500000, pixels, 1);
     assert_true(fabsf(9 * points_exposure(100000, pixels, 3) * 100000 / many - 1) < 1e-3f);
@@ -63,9 +61,8 @@ static Recording recording_of(const Scene *scene, long emitted)
     return recording;
 }
 
-static void the_prisms_colours_choose_the_screen(void **state)
+TEST(the_prisms_colours_choose_the_screen)
 {
-    (void)state;
     Scene *scene = scene_from_file("scenes/prism.yaml");
     Recording recording = recording_of(scene, 20000);
     int surface = screen_busiest(scene, &recording);
@@ -96,9 +93,8 @@ static void the_prisms_colours_choose_the_screen(void **state)
     scene_free(scene);
 }
 
-static void cells_hold_every_photon_once(void **state)
+TEST(cells_hold_every_photon_once)
 {
-    (void)state;
     Scene *scene = scene_from_file("scenes/box_diffuse.yaml");
     Recording recording = recording_of(scene, 3000);
     StoredPhoton *photons = malloc((recording.count + 1) * sizeof *photons);
@@ -128,9 +124,8 @@ static void cells_hold_every_photon_once(void **state)
     scene_free(scene);
 }
 
-static void legs_are_found_and_cut_at_the_front(void **state)
+TEST(legs_are_found_and_cut_at_the_front)
 {
-    (void)state;
     PathLeg legs[5] = {{.path = 3, .flown = 0, .to = {2, 0, 0}},
                        {.path = 3, .flown = 2, .to = {0, 4, 0}, .bounce = 1},
                        {.path = 5, .flown = 0, .to = {1, 0, 0}},
@@ -150,9 +145,8 @@ static void legs_are_found_and_cut_at_the_front(void **state)
     assert_true(leg_flown(&legs[1], 100.0) == 1.0f);
 }
 
-static void words_fit(void **state)
+TEST(words_fit)
 {
-    (void)state;
     const char *text = "200000 photons, 614409 stored, up to 32 bounces, 0.53 s | your code: 1.1 1.2 1.3 1.4 | "
                        "averyveryveryverylongnamewithoutanyspaceinitaveryveryveryverylongname.c:12:5: error: no";
     for (int most = 1; most < 9; most++)
@@ -187,9 +181,8 @@ static double mean_brightness(Canvas *canvas)
 }
 
 // What a view must not leave out, by name; and that no file of a view is left out of the list.
-static void every_view_is_whole_and_listed(void **state)
+TEST(every_view_is_whole_and_listed)
 {
-    (void)state;
     for (int i = 0; i < VIEW_COUNT; i++) {
         const ViewType *type = view_types[i];
         const char *missing = !type->name                                       ? "name"
@@ -220,9 +213,8 @@ static void every_view_is_whole_and_listed(void **state)
 }
 
 // Every view at the smallest size; points as bright whether a tenth or all of them is drawn.
-static void every_view_draws(void **state)
+TEST(every_view_draws)
 {
-    (void)state;
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
     Error error = {""};
@@ -272,17 +264,4 @@ static void every_view_draws(void **state)
     context_free(context);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(wires_show_edges_and_leave_meshes_light),
-        cmocka_unit_test(brightness_does_not_depend_on_the_number),
-        cmocka_unit_test(the_prisms_colours_choose_the_screen),
-        cmocka_unit_test(cells_hold_every_photon_once),
-        cmocka_unit_test(legs_are_found_and_cut_at_the_front),
-        cmocka_unit_test(words_fit),
-        cmocka_unit_test(every_view_is_whole_and_listed),
-        cmocka_unit_test(every_view_draws),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

@@ -20,9 +20,8 @@ static int set_up_behind(void **state)
     return watch && access(path, F_OK) != 0 ? 0 : -1;
 }
 
-static void errors_are_told(void **state)
+TEST_BOTH_WAYS(errors_are_told)
 {
-    (void)state;
     save(STEP ".c", "good");
     assert_int_equal(next_event(5.0), WATCH_BUILT);
     save(STEP ".c", "wrong");
@@ -44,9 +43,8 @@ static void errors_are_told(void **state)
     assert_object(STEP ".so", "better");
 }
 
-static void saves_queue_and_restart(void **state)
+TEST_BOTH_WAYS(saves_queue_and_restart)
 {
-    (void)state;
     save(STEP ".c", "slow");
     double until = clock_seconds() + 5.0;
     while (watch_poll(watch) != WATCH_BUILDING && clock_seconds() < until)
@@ -63,9 +61,8 @@ static void saves_queue_and_restart(void **state)
     assert_object(NEXT ".so", "next");
 }
 
-static void warnings_are_told(void **state)
+TEST_BOTH_WAYS(warnings_are_told)
 {
-    (void)state;
     save(STEP ".c", "warned");
     assert_int_equal(next_event(5.0), WATCH_BUILT);
     assert_string_equal(watch_warning(watch), "1.3_scatter_diffuse.c:7:1: warning: no return statement");
@@ -75,9 +72,8 @@ static void warnings_are_told(void **state)
 }
 
 // As a compiler writes it: the watched folder has blanks in its name.
-static void a_header_is_saved_for_its_steps(void **state)
+TEST_BOTH_WAYS(a_header_is_saved_for_its_steps)
 {
-    (void)state;
     char path[512];
     save("1_diffuse_photon_map/mine.h", "one");
     assert_int_equal(next_event(0.3), WATCH_NOTHING); // nobody reads it
@@ -96,9 +92,8 @@ static void a_header_is_saved_for_its_steps(void **state)
     assert_int_equal(next_event(5.0), WATCH_BUILT);
 }
 
-static void what_is_behind_is_built_at_the_start(void **state)
+TEST_WITH(what_is_behind_is_built_at_the_start, set_up_behind, tear_down, NULL)
 {
-    (void)state;
     assert_string_equal(watch_broken(watch), "");
     assert_int_equal(next_event(5.0), WATCH_FAILED);
     assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c:12:5: error: expected ';'");
@@ -110,16 +105,4 @@ static void what_is_behind_is_built_at_the_start(void **state)
     save(STEP ".c", "mended");
     assert_int_equal(next_event(5.0), WATCH_BUILT);
     assert_string_equal(watch_broken(watch), "");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        BOTH_WAYS(errors_are_told),
-        BOTH_WAYS(saves_queue_and_restart),
-        BOTH_WAYS(warnings_are_told),
-        BOTH_WAYS(a_header_is_saved_for_its_steps),
-        cmocka_unit_test_setup_teardown(what_is_behind_is_built_at_the_start, set_up_behind, tear_down),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

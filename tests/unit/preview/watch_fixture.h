@@ -114,8 +114,12 @@ static inline int tear_down(void **state)
 }
 
 // With inotify, and without.
-#define BOTH_WAYS(test)                                                                                                \
-    cmocka_unit_test_prestate_setup_teardown(test, set_up, tear_down, (void *)"inotify"),                              \
-        cmocka_unit_test_prestate_setup_teardown(test, set_up, tear_down, (void *)"times")
+#define TEST_BOTH_WAYS(test)                                                                                           \
+    static void test(void **state);                                                                                    \
+    __attribute__((constructor)) static void test##_by_times(void)                                                     \
+    {                                                                                                                  \
+        test_add((struct CMUnitTest){#test, test, set_up, tear_down, (void *)"times"});                                \
+    }                                                                                                                  \
+    TEST_WITH(test, set_up, tear_down, (void *)"inotify")
 
 #endif

@@ -55,9 +55,8 @@ static double fresnel_head_on(double n)
     "lights:\n  - {type: rectangle, corner: [-1, -1, 3], edge_u: [0, 2, 0], edge_v: [2, 0, 0], radiance: [1, 2, 3]}\n" \
     "shapes:\n  - {type: sphere, centre: [0, 0, 0], radius: 1, material: glass}\n"
 
-static void looking_out_of_glass(void **state)
+TEST(looking_out_of_glass)
 {
-    (void)state;
     double share = 1.5 * 1.5 * (1.0 - fresnel_head_on(1.5));
     Colour photons = look(INSIDE_GLASS GLASS, INTEGRATOR_PHOTONS, 2, 1, 4);
     assert_colour(photons, share, 2 * share, 3 * share, 1e-5, "n²(1−F)L, photons");
@@ -67,9 +66,8 @@ static void looking_out_of_glass(void **state)
 
 // Each colour has its own n. The path tracer follows one of the three, which counts three times: a standard error of
 // √(3−1)/√16384 = 1.1 %.
-static void looking_out_of_dispersing_glass(void **state)
+TEST(looking_out_of_dispersing_glass)
 {
-    (void)state;
     static const char text[] = INSIDE_GLASS "materials:\n  - {name: glass, type: glass, indices: [1.3, 1.6, 2.2]}\n";
     double share[3];
     static const double n[3] = {1.3, 1.6, 2.2};
@@ -82,9 +80,8 @@ static void looking_out_of_dispersing_glass(void **state)
 }
 
 // The other way round: a lamp in the glass, L = (1−F)L₀/n².
-static void looking_into_glass(void **state)
+TEST(looking_into_glass)
 {
-    (void)state;
     static const char text[] = "camera: {position: [0, 0, 3], target: [0, 0, 0], " NEEDLE GLASS "shapes:\n"
                                "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: glass}\n"
                                "lights:\n"
@@ -120,9 +117,8 @@ static double fresnel_at_60(void)
 // One metre below the slab a ray that was bent once is at x = 2/√2 = 1.414; one that was bent back is at
 // 1/√2 + √3 = 2.439. With one side L = (1−F)L₀ and no n²; with two (1−F)²L₀; what takes more turns inside
 // comes down elsewhere.
-static void one_side_bends_at_the_front_only(void **state)
+TEST(one_side_bends_at_the_front_only)
 {
-    (void)state;
     static const char bent_once[] = ONTO_SLAB "lights:\n" LAMP_UP("1.314", "-2") SLAB;
     static const char bent_back[] = ONTO_SLAB "lights:\n" LAMP_UP("2.339", "-2") SLAB;
     double through = 1.0 - fresnel_at_60();
@@ -137,9 +133,8 @@ static void one_side_bends_at_the_front_only(void **state)
 
 // What the front reflects goes through x = √3 at a height of 1; what the back reflects comes out at x = 2/√2 and goes
 // through √2 + √3 = 3.146 there (unbent: 3/√2 = 2.121). With two sides that is F(1−F)²L₀, found by roulette: a standard error of 0.7/√16384.
-static void one_side_reflects_at_the_front_only(void **state)
+TEST(one_side_reflects_at_the_front_only)
 {
-    (void)state;
     static const char front[] = ONTO_SLAB "lights:\n" LAMP_DOWN("1.632", "1") SLAB;
     static const char back[] = ONTO_SLAB "lights:\n" LAMP_DOWN("3.046", "1") SLAB;
     static const char unbent[] = ONTO_SLAB "lights:\n" LAMP_DOWN("2.021", "1") SLAB;
@@ -154,9 +149,8 @@ static void one_side_reflects_at_the_front_only(void **state)
 }
 
 // From inside, under 60°: beyond the critical angle. One side lets it straight through, and takes nothing.
-static void one_side_has_no_total_reflection(void **state)
+TEST(one_side_has_no_total_reflection)
 {
-    (void)state;
     static const char text[] = "camera: {position: [0, -0.5, 0], target: [0.8660254, 0, 0], " NEEDLE GLASS
                                "lights:\n" LAMP_DOWN("2.498", "1") SLAB;
     assert_colour(look(text, INTEGRATOR_PHOTONS, 1, 8, 16), 1, 2, 3, 1e-5, "straight through");
@@ -166,9 +160,8 @@ static void one_side_has_no_total_reflection(void **state)
 // ---- the depth limit
 
 // Between two mirrors, a metre apart, under 45°: three reflections, then the lamp at the end.
-static void depth_ends_a_path_between_mirrors(void **state)
+TEST(depth_ends_a_path_between_mirrors)
 {
-    (void)state;
     static const char text[] =
         "camera: {position: [0, 0.5, 0], target: [0.5, 0, 0], " NEEDLE
         "materials:\n  - {name: mirror, type: mirror, reflectance: [0.9, 0.8, 0.7]}\n"
@@ -201,9 +194,8 @@ static Colour estimate_without_reflectance(const PhotonMap *map, const Hit *hit,
 
 // A box whose floor a spot lights, and a camera that looks at the ceiling: all that it sees is indirect light, so the
 // picture must become brighter by 1/ρ, in each channel, whether estimates are reused or not.
-static void a_wrong_estimate_shows(void **state)
+TEST(a_wrong_estimate_shows)
 {
-    (void)state;
     Scene *scene = scene_from_text(
         "camera: {position: [0, -0.5, 0], target: [0.1, 1, 0], up: [0, 0, 1], vertical_fov: 40}\n"
         "materials:\n  - {name: matt, type: diffuse, reflectance: [0.8, 0.5, 0.25]}\n"
@@ -225,17 +217,4 @@ static void a_wrong_estimate_shows(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(looking_out_of_glass),
-        cmocka_unit_test(looking_out_of_dispersing_glass),
-        cmocka_unit_test(looking_into_glass),
-        cmocka_unit_test(one_side_bends_at_the_front_only),
-        cmocka_unit_test(one_side_reflects_at_the_front_only),
-        cmocka_unit_test(one_side_has_no_total_reflection),
-        cmocka_unit_test(depth_ends_a_path_between_mirrors),
-        cmocka_unit_test(a_wrong_estimate_shows),
-    };
-    return cmocka_run_group_tests_name("eye", tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

@@ -29,9 +29,8 @@ static float found_at(const RadianceCache *cache, Vec3 position, Vec3 normal)
     return radiance_cache_find(cache, position, normal, &red_paint, &radiance) ? radiance.r : -1.0f;
 }
 
-static void within_reach(void **state)
+TEST(within_reach)
 {
-    (void)state;
     RadianceCache cache = cache_of_one(1.0f);
     Colour found;
     assert_true(radiance_cache_find(&cache, vec3(1.98f, 0, 0), up, &red_paint, &found));
@@ -48,9 +47,8 @@ static void within_reach(void **state)
 }
 
 // Two plates 0.5 m apart, both facing up, one in the light and one in the other's shadow: each keeps its own.
-static void not_on_a_parallel_plate(void **state)
+TEST(not_on_a_parallel_plate)
 {
-    (void)state;
     RadianceCache cache = cache_of_one(10.0f);
     assert_true(found_at(&cache, vec3(0, -0.5f, 0), up) < 0.0f);
     assert_true(found_at(&cache, vec3(1.0f, 0.5f, 0), up) < 0.0f);
@@ -61,9 +59,8 @@ static void not_on_a_parallel_plate(void **state)
     assert_within((double)found_at(&cache, vec3(0.5f, 0.02f, 0), up), 10.0, 1e-5, "just above");
 }
 
-static void not_round_a_corner(void **state)
+TEST(not_round_a_corner)
 {
-    (void)state;
     RadianceCache cache = cache_of_one(1.0f);
     Vec3 slightly = {sinf(5.0f * PI / 180.0f), cosf(5.0f * PI / 180.0f), 0};
     Vec3 clearly = {sinf(20.0f * PI / 180.0f), cosf(20.0f * PI / 180.0f), 0};
@@ -73,9 +70,8 @@ static void not_round_a_corner(void **state)
     assert_true(found_at(&cache, vec3(0, 0, 0.1f), vec3(0, -1, 0)) < 0.0f); // the other side of the same sheet
 }
 
-static void not_on_another_material(void **state)
+TEST(not_on_another_material)
 {
-    (void)state;
     RadianceCache cache = cache_of_one(1.0f);
     Colour found;
     assert_false(radiance_cache_find(&cache, vec3(0.1f, 0, 0), up, &blue_paint, &found));
@@ -86,9 +82,8 @@ static void not_on_another_material(void **state)
 }
 
 // At a quarter of one's reach and half of the other's: weights 3/4 and 1/2.
-static void nearer_estimates_count_more(void **state)
+TEST(nearer_estimates_count_more)
 {
-    (void)state;
     RadianceCache cache = cache_of_one(1.0f);
     add(&cache, vec3(1.0f, 0, 0), 1.0f, &red_paint, colour_grey(6.0f));
     double mean = (0.75 * 1.0 + 0.5 * 6.0) / 1.25;
@@ -96,9 +91,8 @@ static void nearer_estimates_count_more(void **state)
 }
 
 // More than it has room for: the first stay, the last is dropped, and what lies behind is not written on.
-static void a_full_cache_keeps_what_it_has(void **state)
+TEST(a_full_cache_keeps_what_it_has)
 {
-    (void)state;
     struct {
         RadianceCache cache;
         unsigned char behind[sizeof(CachedRadiance)];
@@ -113,17 +107,4 @@ static void a_full_cache_keeps_what_it_has(void **state)
     for (int i = 0; i < RADIANCE_CACHE_CAPACITY; i++)
         assert_true(found_at(&guarded.cache, vec3(10.0f * (float)i, 0, 0), up) == (float)i);
     assert_true(found_at(&guarded.cache, vec3(10.0f * RADIANCE_CACHE_CAPACITY, 0, 0), up) < 0.0f);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(within_reach),
-        cmocka_unit_test(not_on_a_parallel_plate),
-        cmocka_unit_test(not_round_a_corner),
-        cmocka_unit_test(not_on_another_material),
-        cmocka_unit_test(nearer_estimates_count_more),
-        cmocka_unit_test(a_full_cache_keeps_what_it_has),
-    };
-    return cmocka_run_group_tests_name("radiance cache", tests, NULL, NULL);
 }

@@ -4,14 +4,10 @@
 
 #include "math/rng.h"
 #include "scene/bvh/bvh.h"
+#include "unit/test.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #define MAX_SHAPES 20000
 

@@ -3,13 +3,9 @@
 #define PHOTONLAB_TESTS_SCENE_FROM_TEXT_H
 
 #include "scene/file/scene_load.h"
+#include "unit/test.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #define CAMERA "camera: {position: [0, 0, 3.9], target: [0, 0, 0], vertical_fov: 39.3077}\n"
 #define LIGHT  "lights:\n  - {type: point, position: [0, 1, 0], power: [1, 2, 3]}\n"

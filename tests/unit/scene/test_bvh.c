@@ -113,9 +113,8 @@ static void check_random_rays(Rng *rng, int count)
     bvh_free(bvh);
 }
 
-static void test_random_scenes(void **state)
+TEST(test_random_scenes)
 {
-    (void)state;
     const size_t counts[] = {0, 1, 2, 3, 4, 5, 8, 9, 33, 100, 1000};
     Rng rng = rng_create(1, 0);
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
@@ -124,9 +123,8 @@ static void test_random_scenes(void **state)
     }
 }
 
-static void test_coincident_centroids(void **state)
+TEST(test_coincident_centroids)
 {
-    (void)state;
     Rng rng = rng_create(2, 0);
     memset(&shapes, 0, sizeof shapes);
     for (int i = 0; i < 1000; i++) {
@@ -140,9 +138,8 @@ static void test_coincident_centroids(void **state)
 }
 
 // Sizes that double: each cut parts one shape from the rest, so that the tree would become a list.
-static void test_deep_tree(void **state)
+TEST(test_deep_tree)
 {
-    (void)state;
     Rng rng = rng_create(3, 0);
     memset(&shapes, 0, sizeof shapes);
     for (int i = 0; i < 55; i++) {
@@ -154,9 +151,8 @@ static void test_deep_tree(void **state)
     check_random_rays(&rng, 600);
 }
 
-static void test_all_in_a_plane(void **state)
+TEST(test_all_in_a_plane)
 {
-    (void)state;
     Rng rng = rng_create(4, 0);
     memset(&shapes, 0, sizeof shapes);
     for (int i = 0; i < 30; i++)
@@ -170,15 +166,4 @@ static void test_all_in_a_plane(void **state)
         assert_false(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE)); // a flat has no thickness
     }
     bvh_free(bvh);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_coincident_centroids),
-        cmocka_unit_test(test_deep_tree),
-        cmocka_unit_test(test_all_in_a_plane),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,9 +5,8 @@
 #include <omp.h>
 #endif
 
-static void test_nothing(void **state)
+TEST(test_nothing)
 {
-    (void)state;
     memset(&shapes, 0, sizeof shapes);
     Bvh *bvh = build();
     Ray ray = {vec3(0, 0, 0), vec3(0, 0, 1), NO_PRIMITIVE};
@@ -20,9 +19,8 @@ static void test_nothing(void **state)
 }
 
 // Rays that run exactly in the planes of box faces: 0·∞ in the box test must lose nothing.
-static void test_along_faces(void **state)
+TEST(test_along_faces)
 {
-    (void)state;
     memset(&shapes, 0, sizeof shapes);
     for (int i = 0; i < 64; i++)
         add_cube(vec3((float)(i & 3), (float)(i >> 2 & 3), (float)(i >> 4)), 0.25f);
@@ -45,9 +43,8 @@ static void test_along_faces(void **state)
 
 // A closed room, many times: from any wall in any inward direction another wall is met, never the same one
 // and never none.
-static void test_leaving_flats(void **state)
+TEST(test_leaving_flats)
 {
-    (void)state;
     Rng rng = rng_create(5, 0);
     memset(&shapes, 0, sizeof shapes);
     add_cube(vec3(3, -2, 0.7f), 1.3f);
@@ -70,9 +67,8 @@ static void test_leaving_flats(void **state)
 }
 
 // Analytic: inwards a sphere is met again at t = −2 (o−c)·d/(d·d), outwards never.
-static void test_leaving_spheres(void **state)
+TEST(test_leaving_spheres)
 {
-    (void)state;
     Rng rng = rng_create(6, 0);
     for (int i = 0; i < 2000; i++) {
         memset(&shapes, 0, sizeof shapes);
@@ -95,9 +91,8 @@ static void test_leaving_spheres(void **state)
 }
 
 // Where b² − 4ac in single precision has no correct digit left: small and far, huge and near.
-static void test_sphere_precision(void **state)
+TEST(test_sphere_precision)
 {
-    (void)state;
     memset(&shapes, 0, sizeof shapes);
     add_sphere(vec3(0, 0, 0), 0.01f);
     add_sphere(vec3(0, -100010.0f, 0), 100000.0f);
@@ -113,9 +108,8 @@ static void test_sphere_precision(void **state)
     bvh_free(bvh);
 }
 
-static void test_interval_length_and_except(void **state)
+TEST(test_interval_length_and_except)
 {
-    (void)state;
     memset(&shapes, 0, sizeof shapes);
     add_flat(vec3(-1, -1, 2), vec3(2, 0, 0), vec3(0, 2, 0), false);
     add_flat(vec3(-1, -1, 4), vec3(4, 0, 0), vec3(0, 4, 0), true);
@@ -144,9 +138,8 @@ static void test_interval_length_and_except(void **state)
 }
 
 // The same hits, bit by bit, from trees built by one thread and by several.
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     Rng rng = rng_create(7, 0);
     random_shapes(&rng, MAX_SHAPES, 0.03f);
 #ifdef _OPENMP
@@ -171,9 +164,8 @@ static void test_threads(void **state)
 }
 
 // What a student's step may send: in a tree with empty places beside real children.
-static void test_unsound_rays(void **state)
+TEST(test_unsound_rays)
 {
-    (void)state;
     memset(&shapes, 0, sizeof shapes);
     for (int i = 0; i < 30; i++) {
         add_flat(vec3((float)i, 0, 0), vec3(0.5f, 0, 0), vec3(0, 0.5f, 0), i % 2 == 0);
@@ -196,9 +188,8 @@ static void test_unsound_rays(void **state)
     bvh_free(bvh);
 }
 
-static void test_bounds(void **state)
+TEST(test_bounds)
 {
-    (void)state;
     memset(&shapes, 0, sizeof shapes);
     add_flat(vec3(0, 0, 0), vec3(1, 0, 0), vec3(0, 2, 0), false);
     add_sphere(vec3(0, 0, 3), 0.5f);
@@ -207,16 +198,4 @@ static void test_bounds(void **state)
     assert_true(box.low.x == -0.5f && box.low.y == -0.5f && box.low.z == 0.0f);
     assert_true(box.high.x == 1.0f && box.high.y == 2.0f && box.high.z == 3.5f);
     bvh_free(bvh);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nothing),          cmocka_unit_test(test_along_faces),
-        cmocka_unit_test(test_leaving_flats),    cmocka_unit_test(test_leaving_spheres),
-        cmocka_unit_test(test_sphere_precision), cmocka_unit_test(test_interval_length_and_except),
-        cmocka_unit_test(test_threads),          cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_unsound_rays),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,13 +1,9 @@
 // The glass catalogue against figures computed on their own from the same Sellmeier coefficients
 // (refractiveindex.info), and Cauchy's formula through the same points.
 #include "scene/glass_catalogue.h"
+#include "unit/test.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 
 static const struct {
     const char *name;
@@ -31,9 +27,8 @@ static void assert_near(double value, double expected, double tolerance)
         fail_msg("%.9g is not within %g of %.9g", value, tolerance, expected);
 }
 
-static void test_indices(void **state)
+TEST(test_indices)
 {
-    (void)state;
     for (int i = 0; i < GLASSES; i++) {
         const SellmeierGlass *glass = glass_find(table[i].name);
         assert_non_null(glass);
@@ -46,9 +41,8 @@ static void test_indices(void **state)
     }
 }
 
-static void test_abbe_number(void **state)
+TEST(test_abbe_number)
 {
-    (void)state;
     for (int i = 0; i < GLASSES; i++) {
         const SellmeierGlass *glass = glass_find(table[i].name);
         double n_d = glass_index(glass, 587.562);
@@ -57,9 +51,8 @@ static void test_abbe_number(void **state)
     }
 }
 
-static void test_cauchy(void **state)
+TEST(test_cauchy)
 {
-    (void)state;
     for (int i = 0; i < GLASSES; i++) {
         double n_d = table[i].n_d, abbe = table[i].abbe;
         assert_near(cauchy_index(n_d, abbe, 587.562), n_d, 1e-12);
@@ -73,24 +66,12 @@ static void test_cauchy(void **state)
     }
 }
 
-static void test_names(void **state)
+TEST(test_names)
 {
-    (void)state;
     for (int i = 0; i < GLASSES; i++)
         assert_string_equal(glass_at((size_t)i)->name, table[i].name);
     assert_null(glass_at(GLASSES));
     assert_ptr_equal(glass_find("n-sf11"), glass_find("N-SF11"));
     assert_null(glass_find("N-SF1"));
     assert_null(glass_find(""));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_indices),
-        cmocka_unit_test(test_abbe_number),
-        cmocka_unit_test(test_cauchy),
-        cmocka_unit_test(test_names),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -58,9 +58,8 @@ static Mean emitted_irradiance(const Light *light, const Window *window, Rng *rn
 
 // Windows in full light, aslant, at the edge of spot and beam, and with rectangle and sphere partly below the
 // horizon.
-static void photons_and_samples_agree(void **state)
+TEST(photons_and_samples_agree)
 {
-    (void)state;
     const Window windows[] = {
         {{0, 0, 0}, {0, 0, 1}, 0.3f},
         {{0.1f, -0.3f, 0.2f}, {0.6f, 0, 0.8f}, 0.3f},
@@ -99,9 +98,8 @@ static double mean_irradiance(const Light *light, Vec3 point, Vec3 normal)
 
 // E = πL·sin²θ_max·cosθ for a sphere all above the horizon; sinθ_max = R/d, θ: its centre's angle to the
 // normal.
-static void sphere_light_irradiance(void **state)
+TEST(sphere_light_irradiance)
 {
-    (void)state;
     Light light = {.type = LIGHT_SPHERE, .position = vec3(1, 2, 4), .radius = 0.5f, .radiance = colour_grey(3)};
     const Vec3 points[] = {{1, 2, 3.4f}, {1, 2, 0}, {0, 0, 0}, {1, 2, -1000}};
     const Vec3 normals[] = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, 0, 1}, {0, 0, 1}};
@@ -118,9 +116,8 @@ static void sphere_light_irradiance(void **state)
 // A rectangle a × b seen from straight below its corner at height h (A = a/h, B = b/h):
 //   E = L/2·[A/√(1+A²)·atan(B/√(1+A²)) + B/√(1+B²)·atan(A/√(1+B²))]   (configuration factor of parallel
 //   planes, Howell)
-static void rectangle_light_irradiance(void **state)
+TEST(rectangle_light_irradiance)
 {
-    (void)state;
     Light light = {.type = LIGHT_RECTANGLE,
                    .position = vec3(0, 0, 2),
                    .edge_u = vec3(0, 1, 0),
@@ -137,9 +134,8 @@ static void rectangle_light_irradiance(void **state)
 }
 
 // Point: E = Φ/(4πd²). Spot: Φ/(2π(1−cosθ_max)d²) inside its cone. Beam: Φ/(πR²) inside its tube.
-static void lights_without_surface(void **state)
+TEST(lights_without_surface)
 {
-    (void)state;
     const Vec3 down = {0, 0, -1};
     Light light = {.type = LIGHT_POINT,
                    .position = vec3(0, 0, 2),
@@ -168,9 +164,8 @@ static void lights_without_surface(void **state)
 }
 
 // The sampled spot lies on the light's surface: point + distance·wi is there.
-static void samples_lie_on_the_light(void **state)
+TEST(samples_lie_on_the_light)
 {
-    (void)state;
     Scene *scene = scene_from_text(five_lights);
     Rng rng = rng_create(42, 0);
     for (int i = 0; i < 4000; i++) {
@@ -193,9 +188,8 @@ static void samples_lie_on_the_light(void **state)
 }
 
 // Φ = πAL both ways; A of a rectangle |u × v|, of a sphere 4πR².
-static void power_and_radiance(void **state)
+TEST(power_and_radiance)
 {
-    (void)state;
     Scene *scene = scene_from_text(
         "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\n"
         "materials: [{name: black, type: diffuse, reflectance: [0, 0, 0]}]\n"
@@ -222,12 +216,4 @@ static void power_and_radiance(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(photons_and_samples_agree),  cmocka_unit_test(sphere_light_irradiance),
-        cmocka_unit_test(rectangle_light_irradiance), cmocka_unit_test(lights_without_surface),
-        cmocka_unit_test(samples_lie_on_the_light),   cmocka_unit_test(power_and_radiance),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

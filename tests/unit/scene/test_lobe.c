@@ -5,9 +5,8 @@ static const float exponents[] = {0, 1, 5, 20, 100, 1000};
 
 // Density (n+1)/(2π)·cosⁿα: cosα^(n+1) and the azimuth are uniform. Tested with the cosine as well as with
 // what x and y say it is, since that is where digits get lost for large n.
-static void sample_lobe_has_its_density(void **state)
+TEST(sample_lobe_has_its_density)
 {
-    (void)state;
     enum { SIDE = 16, BINS = SIDE * SIDE, COUNT = 200 * BINS };
     for (int k = 0; k < 6; k++) {
         double n1 = (double)exponents[k] + 1.0;
@@ -34,9 +33,8 @@ static void sample_lobe_has_its_density(void **state)
 
 // The sine of the angle to the axis keeps its digits close to it. For n = 1e6 it is about 1e-3 and cosα a
 // number next to 1 in single precision; 1 − cos²α would take a handful of values only.
-static void sample_lobe_of_a_huge_exponent(void **state)
+TEST(sample_lobe_of_a_huge_exponent)
 {
-    (void)state;
     enum { BINS = 50, COUNT = 200 * BINS };
     long counts[BINS] = {0};
     double expected[BINS];
@@ -68,9 +66,8 @@ static void assert_turned(Vec3 axis)
     assert_within(vec3_length(vec3_sub(steps.turn_to(local, axis), sum)), 0.0, 2e-6, "any other direction");
 }
 
-static void turn_to_keeps_lengths_and_angles(void **state)
+TEST(turn_to_keeps_lengths_and_angles)
 {
-    (void)state;
     Rng rng = rng_create(23, 0);
     for (int i = 0; i < 10000; i++)
         assert_turned(random_direction(&rng));
@@ -115,9 +112,8 @@ static void expect_source_text(double *expected, Vec3 mirror, double exponent, d
 
 // Against p = P·cosⁿα/I_P on the mirror's side and cosθ_o/π beyond, P = (1+cosθ)/2. I_P at θ = 60° and 80°:
 // Arvo (1995), Mallett & Yuksel (2020), checked by quadrature.
-static void source_text_has_its_density(void **state)
+TEST(source_text_has_its_density)
 {
-    (void)state;
     static const struct {
         float exponent, theta;
         double above;
@@ -146,9 +142,8 @@ static void source_text_has_its_density(void **state)
 }
 
 // However narrow the lobe, (1 − cosθ)/2 of the photons are scattered diffusely, far from it.
-static void source_text_leaks(void **state)
+TEST(source_text_leaks)
 {
-    (void)state;
     for (int theta = 0; theta <= 80; theta += 20) {
         Vec3 mirror = tilted(theta), out;
         float weight;
@@ -164,9 +159,8 @@ static void source_text_leaks(void **state)
 }
 
 // A normal that does not face the photon hides the lobe below the surface: the redraws stop, and are counted.
-static void source_text_gives_up_audibly(void **state)
+TEST(source_text_gives_up_audibly)
 {
-    (void)state;
     Vec3 away = tilted(60), out; // flies with the normal: its mirror direction points into the surface
     float weight;
     Rng rng = rng_create(26, 0);
@@ -180,9 +174,8 @@ static void source_text_gives_up_audibly(void **state)
 
 // Share of lobe samples above the surface, (n+1)/(2π)·I_P, and mean weight, (n+2)/(2π)·I_M: the modified
 // Phong albedo.
-static void phong_bounce_has_its_albedo(void **state)
+TEST(phong_bounce_has_its_albedo)
 {
-    (void)state;
     static const struct {
         float exponent, theta;
         double accept, albedo;
@@ -212,9 +205,8 @@ static void phong_bounce_has_its_albedo(void **state)
 
 // Above the surface the directions are those of the lobe itself: (cosα)^(n+1) is uniform where the whole lobe
 // is.
-static void phong_bounce_goes_into_the_lobe(void **state)
+TEST(phong_bounce_goes_into_the_lobe)
 {
-    (void)state;
     enum { BINS = 50, COUNT = 100000 };
     Vec3 normal = {0.48f, 0.64f, 0.6f}, in = vec3(0, 0, -1), out;
     Vec3 mirror = vec3(2.0f * 0.6f * normal.x, 2.0f * 0.6f * normal.y, 2.0f * 0.6f * normal.z - 1.0f);
@@ -232,17 +224,4 @@ static void phong_bounce_goes_into_the_lobe(void **state)
     assert_chi_square(counts, expected, BINS, "directions of the Phong bounce");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sample_lobe_has_its_density),
-        cmocka_unit_test(sample_lobe_of_a_huge_exponent),
-        cmocka_unit_test(turn_to_keeps_lengths_and_angles),
-        cmocka_unit_test(source_text_has_its_density),
-        cmocka_unit_test(source_text_leaks),
-        cmocka_unit_test(source_text_gives_up_audibly),
-        cmocka_unit_test(phong_bounce_has_its_albedo),
-        cmocka_unit_test(phong_bounce_goes_into_the_lobe),
-    };
-    return cmocka_run_group_tests(tests, load_reference_steps, NULL);
-}
+AROUND_TESTS(load_reference_steps, NULL)

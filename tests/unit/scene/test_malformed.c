@@ -2,17 +2,14 @@
 // this under sanitizers too). Works from the top folder: tests/malformed/ holds one small file per fault,
 // expected.inc the words.
 #include "scene/file/scene_load.h"
+#include "unit/test.h"
 
 #include <dirent.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #define FOLDER "tests/malformed/"
 
@@ -61,9 +58,8 @@ static bool mesh_refused(const char *folder, const char *file, const char *expec
     return is_refused(scene, &error, file, expected);
 }
 
-static void test_files(void **state)
+TEST(test_files)
 {
-    (void)state;
     int wrong = 0;
     for (int i = 0; i < FAULTS; i++) {
         char path[200], expected[300];
@@ -76,9 +72,8 @@ static void test_files(void **state)
 }
 
 // The two meshes that have nothing wrong are the only ones without a line in the table.
-static void test_no_file_is_forgotten(void **state)
+TEST(test_no_file_is_forgotten)
 {
-    (void)state;
     DIR *folder = opendir(FOLDER);
     assert_non_null(folder);
     int count = 0;
@@ -132,9 +127,8 @@ static void assert_text_refused(char *text, const char *expected)
     assert_true(refused);
 }
 
-static void test_no_file(void **state)
+TEST(test_no_file)
 {
-    (void)state;
     assert_true(scene_refused(temporary_path("missing.yaml"), "missing.yaml: cannot be read: No such file"));
     assert_true(scene_refused(temporary, ": is a directory; expected a file"));
     assert_int_equal(mkfifo(temporary_path("pipe.yaml"), 0600), 0);
@@ -142,9 +136,8 @@ static void test_no_file(void **state)
     unlink(temporary_path("pipe.yaml"));
 }
 
-static void test_unreadable(void **state)
+TEST(test_unreadable)
 {
-    (void)state;
     if (geteuid() == 0)
         skip(); // root reads everything
     FILE *file = fopen(temporary_path("secret.yaml"), "w");
@@ -163,9 +156,8 @@ static void make_sparse(const char *name, long long size)
     fclose(file);
 }
 
-static void test_size(void **state)
+TEST(test_size)
 {
-    (void)state;
     make_sparse("empty.yaml", 0);
     assert_true(scene_refused(temporary_path("empty.yaml"), "empty.yaml:1:1: the file is empty"));
     unlink(temporary_path("empty.yaml"));
@@ -179,9 +171,8 @@ static void test_size(void **state)
     unlink(temporary_path("huge.obj"));
 }
 
-static void test_depth(void **state)
+TEST(test_depth)
 {
-    (void)state;
     assert_text_refused(repeated("camera: ", "[", 1000000, ""), "made.yaml:1:9: camera is a list");
     assert_text_refused(repeated("camera:\n  position: ", "[", 1000000, ""),
                         "made.yaml:2:14: camera.position[0] is a list");
@@ -191,9 +182,8 @@ static void test_depth(void **state)
     assert_text_refused(repeated("", "x", 1000000, ": 1"), "made.yaml:1:");
 }
 
-static void test_too_many(void **state)
+TEST(test_too_many)
 {
-    (void)state;
     char *materials = repeated(camera_and_light, "", 0, "materials:\n");
     char *text = repeated(materials, "  - {name: m, type: mirror}\n", 256, "");
     assert_text_refused(text, "made.yaml:260:5: materials has too many entries; expected at most 255");
@@ -205,13 +195,4 @@ static void test_too_many(void **state)
     free(materials);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_files),    cmocka_unit_test(test_no_file_is_forgotten),
-        cmocka_unit_test(test_no_file),  cmocka_unit_test(test_unreadable),
-        cmocka_unit_test(test_size),     cmocka_unit_test(test_depth),
-        cmocka_unit_test(test_too_many),
-    };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
-}
+AROUND_TESTS(make_folder, remove_folder)

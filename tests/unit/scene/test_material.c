@@ -15,9 +15,8 @@ static Material glossy(float exponent)
 }
 
 // Arvo (1995), Mallett & Yuksel (2020), closed forms checked by quadrature and Monte Carlo.
-static void lobe_table_values(void **state)
+TEST(lobe_table_values)
 {
-    (void)state;
     static const struct {
         float n, theta;
         double above, weighted;
@@ -47,9 +46,8 @@ static Vec3 direction(double z, double phi)
 }
 
 // f(wi, wo) = f(wo, wi) for the Phong material; not for the source text's scheme, which is none.
-static void phong_is_reciprocal(void **state)
+TEST(phong_is_reciprocal)
 {
-    (void)state;
     const float exponents[] = {0, 1, 5, 20, 100};
     Rng rng = rng_create(51, 0);
     for (int k = 0; k < 5; k++) {
@@ -88,9 +86,8 @@ static Colour reflected(const Material *material, GlossyModel model, double thet
     return colour_scale(colour((float)sum[0], (float)sum[1], (float)sum[2]), d);
 }
 
-static void albedo_is_the_integral_of_the_brdf(void **state)
+TEST(albedo_is_the_integral_of_the_brdf)
 {
-    (void)state;
     const float exponents[] = {0, 1, 5, 20, 100};
     for (int k = 0; k < 5; k++) {
         Material material = glossy(exponents[k]);
@@ -106,9 +103,8 @@ static void albedo_is_the_integral_of_the_brdf(void **state)
 }
 
 // The source text sends back all it gets: ρ_d + ρ_s at every angle.
-static void source_text_reflects_rho(void **state)
+TEST(source_text_reflects_rho)
 {
-    (void)state;
     const float exponents[] = {0, 1, 5, 20, 100};
     for (int k = 0; k < 5; k++) {
         Material material = glossy(exponents[k]);
@@ -124,9 +120,8 @@ static void source_text_reflects_rho(void **state)
     }
 }
 
-static void simple_materials(void **state)
+TEST(simple_materials)
 {
-    (void)state;
     Material material = {.type = MATERIAL_DIFFUSE, .diffuse = {0.5f, 0.6f, 0.7f}, .specular = {0.9f, 0.8f, 0.7f}};
     Vec3 up = {0, 0, 1};
     assert_within(material_brdf(&material, GLOSSY_PHONG, tilted(30), tilted(-70), up).g, 0.6 / M_PI, 1e-7, "Lambert");
@@ -142,9 +137,8 @@ static void simple_materials(void **state)
 }
 
 // Names what a new kind leaves out.
-static void every_kind_is_whole(void **state)
+TEST(every_kind_is_whole)
 {
-    (void)state;
     for (size_t i = 0; i < material_kind_count; i++) {
         const MaterialKind *kind = material_kinds[i];
         const SceneType *scene = &kind->scene;
@@ -169,9 +163,8 @@ static void every_kind_is_whole(void **state)
     }
 }
 
-static void nothing_below_the_surface(void **state)
+TEST(nothing_below_the_surface)
 {
-    (void)state;
     Material material = glossy(20);
     Vec3 up = {0, 0, 1};
     const GlossyModel models[] = {GLOSSY_SOURCE_TEXT, GLOSSY_PHONG};
@@ -182,18 +175,4 @@ static void nothing_below_the_surface(void **state)
         assert_true(colour_sum(material_brdf(&material, m, tilted(160), tilted(-160), up)) == 0.0f);
         assert_true(material_brdf(&material, m, tilted(20), tilted(-20), up).r > 1.0f);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lobe_table_values),
-        cmocka_unit_test(phong_is_reciprocal),
-        cmocka_unit_test(albedo_is_the_integral_of_the_brdf),
-        cmocka_unit_test(source_text_reflects_rho),
-        cmocka_unit_test(simple_materials),
-        cmocka_unit_test(every_kind_is_whole),
-        cmocka_unit_test(nothing_below_the_surface),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

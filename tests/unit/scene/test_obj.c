@@ -1,14 +1,11 @@
 // What OBJ files may look like, and what comes of them. Faulty ones are in test_malformed.c.
 #include "scene/file/obj.h"
 #include "base/text.h"
+#include "unit/test.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #define SQUARE "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
 
@@ -31,9 +28,8 @@ static void assert_triangle(const ObjMesh *mesh, size_t i, uint32_t a, uint32_t 
     assert_int_equal(mesh->triangles[i].point[2], c);
 }
 
-static void test_kinds_of_corners(void **state)
+TEST(test_kinds_of_corners)
 {
-    (void)state;
     ObjMesh mesh = read_fine(SQUARE "vt 0 0\nvn 0 0 1\nvn 0 0 5\n"
                                     "f 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//2 3//1\nf 1/1/1 2/7/2 3/-1/-1\nf 1//1 2 3//1\n");
     assert_int_equal(mesh.triangle_count, 5);
@@ -48,9 +44,8 @@ static void test_kinds_of_corners(void **state)
     obj_free(&mesh);
 }
 
-static void test_negative_indices(void **state)
+TEST(test_negative_indices)
 {
-    (void)state;
     // They count back from the points above the face, not from the end of the file.
     ObjMesh mesh = read_fine(SQUARE "f -4 -3 -2\nv 9 9 9\nf -5 -4 -2\n");
     assert_triangle(&mesh, 0, 0, 1, 2);
@@ -58,9 +53,8 @@ static void test_negative_indices(void **state)
     obj_free(&mesh);
 }
 
-static void test_polygons(void **state)
+TEST(test_polygons)
 {
-    (void)state;
     ObjMesh mesh = read_fine(SQUARE "v -1 0.5 0\nf 1 2 3 4\nf 1 2 3 4 5\n");
     assert_int_equal(mesh.triangle_count, 5);
     assert_triangle(&mesh, 0, 0, 1, 2);
@@ -74,9 +68,8 @@ static void test_polygons(void **state)
     obj_free(&mesh);
 }
 
-static void test_layout(void **state)
+TEST(test_layout)
 {
-    (void)state;
     const char *same[] = {
         SQUARE "f 1 2 3\n",
         "\xef\xbb\xbf# a mark before the text\n" SQUARE "f 1 2 3",
@@ -94,9 +87,8 @@ static void test_layout(void **state)
     }
 }
 
-static void test_materials(void **state)
+TEST(test_materials)
 {
-    (void)state;
     ObjMesh mesh = read_fine(
         SQUARE "f 1 2 3\nusemtl red wine  # white\nf 1 2 4\nusemtl b#\nf 1 3 4\nusemtl red wine\r\nf 2 3 4\n");
     assert_int_equal(mesh.material_count, 2);
@@ -110,9 +102,8 @@ static void test_materials(void **state)
 }
 
 // Numbers come out as the C library reads them, to the last bit of a float.
-static void test_numbers(void **state)
+TEST(test_numbers)
 {
-    (void)state;
     const char *words[] = {"0",
                            "-0",
                            "1",
@@ -153,9 +144,8 @@ static void test_numbers(void **state)
 }
 
 // A triangle strip, large enough that arrays move often.
-static void test_many(void **state)
+TEST(test_many)
 {
-    (void)state;
     enum { POINTS = 20000 };
     char *text = malloc(POINTS * 60);
     assert_non_null(text);
@@ -171,18 +161,4 @@ static void test_many(void **state)
     assert_true(mesh.points[12345].x == 12345.25f);
     obj_free(&mesh);
     free(text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_kinds_of_corners),
-        cmocka_unit_test(test_negative_indices),
-        cmocka_unit_test(test_polygons),
-        cmocka_unit_test(test_layout),
-        cmocka_unit_test(test_materials),
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_many),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,9 +10,8 @@ static Scene *load_file(const char *path)
     return scene;
 }
 
-static void test_settings(void **state)
+TEST(test_settings)
 {
-    (void)state;
     Scene *scene = load_text(CAMERA LIGHT, NULL);
     RenderSettings s = scene->settings;
     assert_true(s.width == 512 && s.height == 512 && s.samples == 4 && s.photons == 500000 && s.k == 100 &&
@@ -27,9 +26,8 @@ static void test_settings(void **state)
     scene_free(scene);
 }
 
-static void test_camera(void **state)
+TEST(test_camera)
 {
-    (void)state;
     Scene *scene = load_text(CAMERA LIGHT, NULL);
     // The formula of the reference images: ((2(i+½)/W − 1)·T, (1 − 2(j+½)/W)·T, −1) with T = tan(fov/2).
     double t = tan(39.3077 / 2 * 3.14159265358979 / 180);
@@ -46,9 +44,8 @@ static void test_camera(void **state)
     scene_free(scene);
 }
 
-static void test_materials(void **state)
+TEST(test_materials)
 {
-    (void)state;
     Scene *scene = load_text(
         CAMERA LIGHT "materials:\n"
                      "  - {name: a, type: diffuse, reflectance: [0.7, 0.6, 0.5]}\n"
@@ -77,9 +74,8 @@ static void test_materials(void **state)
     scene_free(scene);
 }
 
-static void test_lights(void **state)
+TEST(test_lights)
 {
-    (void)state;
     const double pi = 3.14159265358979;
     Scene *scene =
         load_text(CAMERA WHITE
@@ -124,9 +120,8 @@ static const Material *seen_at(const Scene *scene, float x, float y, Hit *hit)
     return scene_intersect(scene, &ray, hit) ? hit->material : NULL;
 }
 
-static void test_box_scenes(void **state)
+TEST(test_box_scenes)
 {
-    (void)state;
     const char *paths[] = {"scenes/box_diffuse.yaml", "scenes/box_glass.yaml"};
     const MaterialType left[] = {MATERIAL_DIFFUSE, MATERIAL_MIRROR}, right[] = {MATERIAL_DIFFUSE, MATERIAL_GLASS};
     for (int i = 0; i < 2; i++) {
@@ -146,9 +141,8 @@ static void test_box_scenes(void **state)
 }
 
 // No ray into the room gets out or meets a wall from behind; red is on the left, as in the photograph.
-static void test_cornell_box(void **state)
+TEST(test_cornell_box)
 {
-    (void)state;
     Scene *scene = load_file("scenes/cornell_box.yaml");
     Hit hit;
     assert_string_equal(seen_at(scene, 0.05f, 0.5f, &hit)->name, "red");
@@ -162,13 +156,4 @@ static void test_cornell_box(void **state)
             assert_true(hit.entering);
         }
     scene_free(scene);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_settings), cmocka_unit_test(test_camera),     cmocka_unit_test(test_materials),
-        cmocka_unit_test(test_lights),   cmocka_unit_test(test_box_scenes), cmocka_unit_test(test_cornell_box),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,9 +25,8 @@ static double enclosed_volume(const Scene *scene)
     return six_volumes / 6;
 }
 
-static void test_shapes_are_closed(void **state)
+TEST(test_shapes_are_closed)
 {
-    (void)state;
     Scene *scene = load_shape("type: box, low: [-1, 2, 3], high: [1, 5, 7]");
     assert_int_equal(scene->flat_count, 6);
     assert_near(enclosed_volume(scene), 2 * 3 * 4, 1e-4);
@@ -42,18 +41,16 @@ static void test_shapes_are_closed(void **state)
     scene_free(scene);
 }
 
-static void test_box_turns_counter_clockwise(void **state)
+TEST(test_box_turns_counter_clockwise)
 {
-    (void)state;
     // About y, +x goes towards −z: the box's low corner (−1, −1) in x and z comes to lie at −1, +1.
     Scene *scene = load_shape("type: box, low: [-1, 0, -1], high: [1, 1, 1], rotate_y: 90");
     assert_vector(scene->flats[0].origin, -1, 0, 1);
     scene_free(scene);
 }
 
-static void test_prism_place(void **state)
+TEST(test_prism_place)
 {
-    (void)state;
     Scene *scene = load_shape("type: prism, apex: [0, 1, 0], axis: [0, 0, 2], down: [0, -1, 5], angle: 90, "
                               "side: 1.41421356, length: 4");
     Vec3 lowest = vec3(0, 0, 0), highest = lowest;
@@ -101,9 +98,8 @@ static Scene *load_mesh(const char *obj, const char *keys)
     return scene;
 }
 
-static void test_mesh_place(void **state)
+TEST(test_mesh_place)
 {
-    (void)state;
     const char *obj = "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n";
     Scene *scene = load_mesh(obj, ", material: white, scale: 2, rotate: [90, 90, 90], translate: [5, 6, 7]");
     const Flat *flat = &scene->flats[0];
@@ -114,9 +110,8 @@ static void test_mesh_place(void **state)
     scene_free(scene);
 }
 
-static void test_mesh_materials(void **state)
+TEST(test_mesh_materials)
 {
-    (void)state;
     const char *obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl shiny\nf 1 3 2\n";
     Scene *scene = load_mesh(obj, ", material: white");
     assert_int_equal(scene->flat_count, 2);
@@ -128,9 +123,8 @@ static void test_mesh_materials(void **state)
     scene_free(scene);
 }
 
-static void test_mesh_normals(void **state)
+TEST(test_mesh_normals)
 {
-    (void)state;
     // The second face contradicts the normals, the third has none.
     const char *obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0.6 0 0.8\nvn 0 0.6 0.8\n"
                       "f 1//1 2//2 3//2\nf 1//1 3//1 2//1\nf 1 2 3\nf 1//2 2//2 3//2\n";
@@ -145,12 +139,4 @@ static void test_mesh_normals(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shapes_are_closed), cmocka_unit_test(test_box_turns_counter_clockwise),
-        cmocka_unit_test(test_prism_place),       cmocka_unit_test(test_mesh_place),
-        cmocka_unit_test(test_mesh_materials),    cmocka_unit_test(test_mesh_normals),
-    };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
-}
+AROUND_TESTS(make_folder, remove_folder)
