@@ -8,9 +8,9 @@ packages="gcc make pkg-config libpng-dev libyaml-dev binutils libgsl-dev libjans
 [ ! -f tests/class/teacher.mk ] || packages="$packages libarchive-dev parallel zip unzip"
 for target in "$@"; do
     case $target in
-    check* | class-trial | reference | agreement | bench* | calibrate | fuzz | *figures | *-table)
+    bench) packages="$packages g++ libnanoflann-dev libembree-dev povray xz-utils" ;;
+    check* | class-trial | reference | agreement | bench-* | calibrate | fuzz | *figures | *-table)
         packages="$packages libcmocka-dev clang libomp-dev xz-utils patch jq libxml2-utils perl xvfb xdotool gnuplot-nox"
-        break
         ;;
     esac
 done

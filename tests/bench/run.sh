@@ -10,18 +10,7 @@ mkdir -p "$out"
 . tests/common.sh
 parts="${*:-photons gather rays pictures}"
 
-missing=""
-for package in g++ libnanoflann-dev libembree-dev povray xz-utils; do
-    dpkg-query -W -f '${Status}' $package 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
-done
-if [ -n "$missing" ]; then
-    echo "installing for the bench:$missing"
-    # shellcheck disable=SC2086
-    apt-get install -y -qq --no-install-recommends $missing >/dev/null 2>&1 ||
-        sudo apt-get install -y -qq --no-install-recommends $missing >/dev/null 2>&1 ||
-        { echo "cannot install; as root: apt-get install$missing"; exit 1; }
-fi
-
+sh tests/setup.sh bench || exit 1
 flags="-O3 -march=native -ffp-contract=off -fno-math-errno -D_DEFAULT_SOURCE -Ilib -fopenmp"
 make --no-print-directory -s BUILD=build/native EXTRA=-march=native all build/native/bench_photons meshes || exit 1
 native=build/native/photonlab
