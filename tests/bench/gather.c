@@ -1,14 +1,10 @@
 // How fast the photon map is built and asked.
-//   gather PHOTONS THREADS [QUERIES] [REPETITIONS]   "key value" lines, medians; compare with
-//   gather_nanoflann gather --curves [THREADS]                        a table from 10⁴ to 10⁷ photons
+//   gather PHOTONS THREADS [QUERIES] [REPETITIONS]   "key value" lines, medians; compare with gather_nanoflann
 #include "gather_common.h"
 #include "photons/photon_map.h"
 
-#include <string.h>
-
-#ifdef _OPENMP
 #include <omp.h>
-#endif
+#include <string.h>
 
 typedef struct {
     PhotonMap *map;
@@ -97,14 +93,10 @@ static double rate(const Work *work, int repetitions, Measure measure, Sums *sum
     for (int repetition = 0; repetition < repetitions; repetition++) {
         double r2 = 0.0, found = 0.0, power = 0.0;
         double start = bench_seconds();
-#ifdef _OPENMP
 #pragma omp parallel reduction(+ : r2, found, power)
-#endif
         {
             NearPhoton *near = bench_allocate(PHOTON_MAP_NEAREST_CAPACITY(BENCH_MAX_K), sizeof *near);
-#ifdef _OPENMP
 #pragma omp for schedule(static)
-#endif
             for (size_t i = 0; i < work->query_count; i++) {
                 Sums one = measure(work, i, near);
                 r2 += one.r2;
@@ -158,15 +150,6 @@ static PhotonMap *time_build(const StoredPhoton *photons, size_t count, int repe
     return map;
 }
 
-static void set_threads(int threads)
-{
-#ifdef _OPENMP
-    omp_set_num_threads(threads);
-#else
-    (void)threads;
-#endif
-}
-
 static void print_measures(Work *work, const BenchArguments *arguments)
 {
     int repetitions = arguments->repetitions;
@@ -185,38 +168,10 @@ static void print_measures(Work *work, const BenchArguments *arguments)
     printf("radius_visit_power %.7g\n", sums.power / queries);
 }
 
-static int print_curves(int threads)
-{
-    enum { QUERIES = 100000, REPETITIONS = 3 };
-    set_threads(threads);
-    BenchQuery *queries = bench_allocate(QUERIES, sizeof *queries);
-    bench_fill_queries(queries, QUERIES);
-    printf("%10s %14s %12s %12s %14s\n", "photons", "build Mp/s", "k=50 kq/s", "k=1000 kq/s", "bytes/photon");
-    for (size_t count = 10000; count <= 10000000; count *= 10) {
-        StoredPhoton *photons = make_photons(count);
-        double build;
-        PhotonMap *map = time_build(photons, count, REPETITIONS, &build);
-        Work work = {map, queries, QUERIES, 50, 0.0f};
-        Sums sums;
-        double small = rate(&work, REPETITIONS, measure_nearest, &sums);
-        work.k = 1000;
-        work.query_count = QUERIES / 10;
-        double large = rate(&work, REPETITIONS, measure_nearest, &sums);
-        printf("%10zu %14.1f %12.1f %12.1f %14.2f\n", count, build, small, large,
-               (double)photon_map_bytes(map) / (double)count);
-        photon_map_free(map);
-        free(photons);
-    }
-    free(queries);
-    return 0;
-}
-
 int main(int argc, char **argv)
 {
-    if (argc > 1 && strcmp(argv[1], "--curves") == 0)
-        return print_curves((int)bench_number(argc, argv, 2, 1, 1024));
     BenchArguments arguments = bench_arguments(argc, argv);
-    set_threads(arguments.threads);
+    omp_set_num_threads(arguments.threads);
     StoredPhoton *photons = make_photons(arguments.photons);
     BenchQuery *queries = bench_allocate(arguments.queries, sizeof *queries);
     bench_fill_queries(queries, arguments.queries);

@@ -4,11 +4,9 @@
 #ifndef PHOTONLAB_BENCH_GATHER_COMMON_H
 #define PHOTONLAB_BENCH_GATHER_COMMON_H
 
+#include "bench_common.h"
+
 #include <math.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
 
 enum { BENCH_K_COUNT = 3, BENCH_MAX_K = 1000 };
 static const int bench_k[BENCH_K_COUNT] = {50, 100, 1000};
@@ -30,26 +28,10 @@ typedef struct {
     int threads, repetitions;
 } BenchArguments;
 
-static inline double bench_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 // How many queries to ask for k nearest: fewer of the large ones, which would take minutes.
 static inline size_t bench_queries(const BenchArguments *arguments, int k)
 {
     return k > 100 && arguments->queries > 100 ? arguments->queries / 50 : arguments->queries;
-}
-
-// SplitMix64 (Steele et al. 2014).
-static inline float bench_random(uint64_t *state)
-{
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (float)((z ^ (z >> 31)) >> 40) * (1.0f / 16777216.0f);
 }
 
 // A point on one of the five walls of [-1, 1]³, and the wall's normal into the box.
@@ -121,32 +103,6 @@ static inline float bench_radius(size_t photons)
     return sqrtf(50.0f * 20.0f / (3.14159265f * (float)photons));
 }
 
-static inline int bench_compare_doubles(const void *a, const void *b)
-{
-    double left = *(const double *)a;
-    double right = *(const double *)b;
-    return left < right ? -1 : left > right;
-}
-
-static inline double bench_median(double *values, int count)
-{
-    qsort(values, (size_t)count, sizeof *values, bench_compare_doubles);
-    return values[count / 2];
-}
-
-static inline long bench_number(int argc, char **argv, int place, long otherwise, long most)
-{
-    if (place >= argc)
-        return otherwise;
-    char *end;
-    long value = strtol(argv[place], &end, 10);
-    if (*end || value < 1 || value > most) {
-        fprintf(stderr, "%s: %s: expected a number from 1 to %ld\n", argv[0], argv[place], most);
-        exit(1);
-    }
-    return value;
-}
-
 static inline BenchArguments bench_arguments(int argc, char **argv)
 {
     if (argc < 3 || argc > 5) {
@@ -159,16 +115,6 @@ static inline BenchArguments bench_arguments(int argc, char **argv)
     arguments.queries = (size_t)bench_number(argc, argv, 3, 100000, 1000000000L);
     arguments.repetitions = (int)bench_number(argc, argv, 4, 5, 1000);
     return arguments;
-}
-
-static inline void *bench_allocate(size_t count, size_t size)
-{
-    void *memory = calloc(count, size);
-    if (!memory) {
-        fprintf(stderr, "no memory for %zu × %zu bytes\n", count, size);
-        exit(1);
-    }
-    return memory;
 }
 
 #endif

@@ -4,9 +4,7 @@
 #include "rays_common.h"
 #include "scene/bvh/bvh.h"
 
-#ifdef _OPENMP
 #include <omp.h>
-#endif
 
 static Bvh *engine_bvh;
 
@@ -28,16 +26,10 @@ static Vec3 vertex(const BenchMesh *mesh, size_t corner)
 
 static void engine_build(const BenchMesh *mesh, int threads)
 {
-#ifdef _OPENMP
     omp_set_num_threads(threads);
-#else
-    (void)threads;
-#endif
     // Embree, too, is timed with the copy of vertices into its own buffers.
-    Flat *flats = bench_malloc(mesh->triangle_count * sizeof *flats);
-#ifdef _OPENMP
+    Flat *flats = bench_allocate(mesh->triangle_count, sizeof *flats);
 #pragma omp parallel for schedule(static)
-#endif
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         Vec3 a = vertex(mesh, 3 * i);
         flats[i] = (Flat){.origin = a,

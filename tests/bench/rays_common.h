@@ -5,14 +5,11 @@
 #ifndef PHOTONLAB_BENCH_RAYS_COMMON_H
 #define PHOTONLAB_BENCH_RAYS_COMMON_H
 
-#include "math/rng.h"
+#include "bench_common.h"
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define BENCH_PI    3.14159265358979323846
 #define BENCH_T_MIN 1e-4f
@@ -33,31 +30,6 @@ static void engine_build(const BenchMesh *mesh, int threads);
 static float engine_closest(const BenchRay *ray);
 static bool engine_occluded(const BenchRay *ray);
 static void engine_free(void);
-
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static void *bench_malloc(size_t bytes)
-{
-    void *memory = malloc(bytes);
-    if (!memory) {
-        fprintf(stderr, "rays: not enough memory\n");
-        exit(1);
-    }
-    return memory;
-}
-
-// The sequence of SplitMix64; uniform in [0, 1).
-static float next_float(uint64_t *state)
-{
-    uint64_t bits = hash_u64(*state);
-    *state += 0x9e3779b97f4a7c15u;
-    return (float)(bits >> 40) * (1.0f / 16777216.0f);
-}
 
 static void add_triangle(BenchMesh *mesh, size_t a, size_t b, size_t c)
 {
@@ -120,7 +92,7 @@ static void add_wall(BenchMesh *mesh, int axis, const float low[3], const float 
 // "box": five walls, a lamp and two spheres of 20 000 triangles. "mesh": one wavy sphere of a million.
 static BenchMesh mesh_create(bool box)
 {
-    BenchMesh mesh = {bench_malloc(600000 * 3 * sizeof(float)), 0, bench_malloc(1100000 * 3 * sizeof(uint32_t)), 0};
+    BenchMesh mesh = {bench_allocate(600000 * 3, sizeof(float)), 0, bench_allocate(1100000 * 3, sizeof(uint32_t)), 0};
     if (!box) {
         add_sphere(&mesh, 1000, 501, (float[]){0, 0, 0}, 1.0f, true);
         return mesh;
@@ -138,8 +110,8 @@ static BenchMesh mesh_create(bool box)
 
 static void unit_direction(uint64_t *random, float direction[3])
 {
-    float z = 2 * next_float(random) - 1;
-    float phi = (float)(2 * BENCH_PI * next_float(random));
+    float z = 2 * bench_random(random) - 1;
+    float phi = (float)(2 * BENCH_PI * bench_random(random));
     float s = sqrtf(fmaxf(0.0f, 1 - z * z));
     direction[0] = s * cosf(phi);
     direction[1] = s * sinf(phi);
@@ -149,7 +121,7 @@ static void unit_direction(uint64_t *random, float direction[3])
 static void cube_point(uint64_t *random, float point[3])
 {
     for (int k = 0; k < 3; k++)
-        point[k] = 2 * next_float(random) - 1;
+        point[k] = 2 * bench_random(random) - 1;
 }
 
 // From a sphere of radius 2 to a point of the unit ball.
@@ -190,7 +162,7 @@ static BenchRay ray_in_box(uint64_t *random, bool shadow)
 
 static BenchRay *rays_incoherent(bool box, bool shadow, size_t count)
 {
-    BenchRay *rays = bench_malloc(count * sizeof *rays);
+    BenchRay *rays = bench_allocate(count, sizeof *rays);
     uint64_t random = 12345;
     for (size_t i = 0; i < count; i++)
         rays[i] = box ? ray_in_box(&random, shadow) : ray_inwards(&random);
@@ -201,7 +173,7 @@ static BenchRay *rays_incoherent(bool box, bool shadow, size_t count)
 static BenchRay *rays_camera(size_t *count)
 {
     float slope = (float)tan(39.3077 * BENCH_PI / 360);
-    BenchRay *rays = bench_malloc((size_t)512 * 512 * 4 * sizeof *rays);
+    BenchRay *rays = bench_allocate((size_t)512 * 512 * 4, sizeof *rays);
     *count = 0;
     for (int y = 0; y < 512; y++)
         for (int x = 0; x < 512; x++)
@@ -213,27 +185,18 @@ static BenchRay *rays_camera(size_t *count)
     return rays;
 }
 
-static int compare_doubles(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // Sends all rays `repeats` times; prints the median rate and, for the check, how many hit and at what
 // distance in total.
 static void run_rays(const char *name, const BenchRay *rays, size_t count, bool any, int threads, int repeats)
 {
-    double *times = bench_malloc((size_t)repeats * sizeof *times);
+    double *times = bench_allocate((size_t)repeats, sizeof *times);
     long hits = 0;
     double sum = 0;
-    (void)threads;
     for (int r = 0; r < repeats; r++) {
-        double start = seconds_now();
+        double start = bench_seconds();
         hits = 0;
         sum = 0;
-#ifdef _OPENMP
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(+ : hits, sum)
-#endif
         for (size_t i = 0; i < count; i++) {
             float t = any ? (engine_occluded(&rays[i]) ? 0.0f : -1.0f) : engine_closest(&rays[i]);
             if (t >= 0) {
@@ -241,10 +204,9 @@ static void run_rays(const char *name, const BenchRay *rays, size_t count, bool 
                 sum += (double)t;
             }
         }
-        times[r] = seconds_now() - start;
+        times[r] = bench_seconds() - start;
     }
-    qsort(times, (size_t)repeats, sizeof *times, compare_doubles);
-    printf("%s_mrays %.3f\n", name, 1e-6 * (double)count / times[repeats / 2]);
+    printf("%s_mrays %.3f\n", name, 1e-6 * (double)count / bench_median(times, repeats));
     printf("%s_mrays_best %.3f\n", name, 1e-6 * (double)count / times[0]);
     printf("%s_hits %ld\n", name, hits);
     if (!any)
@@ -259,25 +221,20 @@ static int bench_main(int argc, char **argv)
         fprintf(stderr, "usage: %s box|mesh THREADS [RAYS] [REPEATS]\n", argv[0]);
         return 1;
     }
-    int threads = atoi(argv[2]);
-    size_t count = argc > 3 ? (size_t)atol(argv[3]) : 1000000;
-    int repeats = argc > 4 ? atoi(argv[4]) : 5;
-    if (threads < 1 || count < 1 || repeats < 1) {
-        fprintf(stderr, "%s: THREADS, RAYS and REPEATS are numbers from 1\n", argv[0]);
-        return 1;
-    }
+    int threads = (int)bench_number(argc, argv, 2, 1, 1024);
+    size_t count = (size_t)bench_number(argc, argv, 3, 1000000, 1000000000L);
+    int repeats = (int)bench_number(argc, argv, 4, 5, 1000);
     BenchMesh mesh = mesh_create(box);
     printf("scene %s\ntriangles %zu\nthreads %d\n", argv[1], mesh.triangle_count, threads);
     double times[3];
     for (int i = 0; i < 3; i++) {
         if (i)
             engine_free();
-        double start = seconds_now();
+        double start = bench_seconds();
         engine_build(&mesh, threads);
-        times[i] = seconds_now() - start;
+        times[i] = bench_seconds() - start;
     }
-    qsort(times, 3, sizeof *times, compare_doubles);
-    printf("build_seconds %.4f\n", times[1]);
+    printf("build_seconds %.4f\n", bench_median(times, 3));
 
     BenchRay *rays = rays_incoherent(box, false, count);
     run_rays("closest", rays, count, false, threads, repeats);

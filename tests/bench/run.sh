@@ -51,7 +51,6 @@ gather() {
         row "100 nearest, k look-ups/s" knn100_kq_s $out/gather.txt $out/nanoflann.txt 1.5
         row "fixed radius, ~50 found, k look-ups/s" radius_kq_s $out/gather.txt $out/nanoflann.txt 2
     done
-    $out/gather --curves 2
     echo
 }
 
