@@ -8,22 +8,6 @@ build=$2
 scene=scenes/box_glass.yaml
 quick="--size 16x16 --photons 2000 --samples 1"
 
-# expect CODE TEXT COMMAND…: the exit code, and the text somewhere in what is said (error messages go to standard error).
-expect() {
-    local code=$1 text=$2
-    shift 2
-    "$@" >"$work/out" 2>"$work/err"
-    local got=$?
-    if [ $got != "$code" ]; then
-        bad "$* — exit code $got, expected $code: $(head -1 "$work/err")"
-    elif [ -n "$text" ] && ! cat "$work/out" "$work/err" | grep -qF -- "$text"; then
-        bad "$* — says '$(head -1 "$work/err")', expected '$text'"
-    else
-        local line="$(basename "$1") ${*:2}"
-        good "${line//$work\//}"
-    fi
-}
-
 expect 2 "usage" "$program"
 expect 0 "usage" "$program" --help
 expect 2 "no command \`paint\`" "$program" paint
@@ -120,8 +104,8 @@ Vec3 reflect(Vec3 direction, Vec3 normal)
 C
 play="$program render scenes/box_diffuse.yaml $quick -o $work/c.png --code $work/code"
 expect 0 "your code plays: 1.4" $play --json
-if grep -q '"photons_stored":0,' "$work/out"; then good "photons that all die leave no indirect light"; else bad "the student's step was not played"; fi
-if grep -q 'still calling todo(): 1.1' "$work/err"; then good "a stub is named"; else bad "a stub is not named"; fi
+ok "photons that all die leave no indirect light" grep -q '"photons_stored":0,' "$work/out"
+ok "a stub is named" said 'still calling todo(): 1.1'
 expect 0 "the path tracer plays no step" $play --integrator path
 expect 0 "your code plays: nothing yet" "$program" render $scene $quick -o "$work/c.png" --code "$work/empty"
 expect 1 "is no directory of steps" "$program" render $scene $quick -o "$work/c.png" --code "$work/nowhere"

@@ -40,3 +40,29 @@ holds() {
 check() {
     if holds "$1"; then good "$2"; else bad "$2 — expected $1"; fi
 }
+
+# ok TEXT COMMAND…: a line for a command that must succeed, with what it said when it does not.
+ok() {
+    local text=$1 said
+    shift
+    if said=$("$@" 2>&1); then good "$text"; else bad "$text${said:+: ${said:0:600}}"; fi
+}
+
+not() { ! "$@"; }
+
+# said TEXT: somewhere in what the last command of `expect` said, where white space counts as one blank.
+said() {
+    [ -z "$1" ] || cat "$work/out" "$work/err" | tr -s ' \n' ' ' | grep -qF -- "$1"
+}
+
+# expect CODE TEXT COMMAND…: the exit code, and what is said, to standard output or error.
+expect() {
+    local code=$1 text=$2 got line
+    shift 2
+    "$@" >"$work/out" 2>"$work/err"
+    got=$?
+    line="$(basename "$1") ${*:2}"
+    if [ $got = "$code" ] && said "$text"; then good "${line//$work\//}${text:+: $text}"; else
+        bad "$line: exit code $got, expected $code and '$text': $(cat "$work/out" "$work/err" | tail -20)"
+    fi
+}

@@ -14,16 +14,6 @@ export PHOTONLAB_BUILD=$build
 says() { # says PATTERN FILE TEXT
     if grep -q -- "$1" "$2"; then good "$3"; else bad "$3; it said: $(head -c 600 "$2")"; fi
 }
-holds_command() { # holds_command TEXT COMMAND…
-    local text=$1
-    shift
-    if "$@" >/dev/null 2>&1; then good "$text"; else bad "$text"; fi
-}
-fails_command() {
-    local text=$1
-    shift
-    if "$@" >/dev/null 2>&1; then bad "$text"; else good "$text"; fi
-}
 
 . "$here/test_handout.sh"
 
@@ -98,7 +88,7 @@ check_odd() {
     check "$(grep -c 'href="[^"]*/index.html"' "$work/odd-out/index.html") == \
         $(ls "$work/odd-out/"*/index.html | grep -c '^/')" \
         "odd: it leads to every report"
-    holds_command "odd: the report of what was graded in time" test -f "$work/odd-out/late/index.html"
+    ok "odd: the report of what was graded in time" test -f "$work/odd-out/late/index.html"
 }
 
 holds_row() { # holds_row SUBMISSION PATTERN TEXT
@@ -125,7 +115,7 @@ check_class() {
     done_before=$(finished)
     check "$done_before >= 2 && $done_before < 4" "class: killed when $done_before of 4 were graded"
     for row in "$work"/out/*/graded.json; do
-        holds_command "class: killed, $(basename "$(dirname "$row")") is whole" grep -q '"seconds": [0-9.]*}$' "$row"
+        ok "class: killed, $(basename "$(dirname "$row")") is whole" grep -q '"seconds": [0-9.]*}$' "$row"
     done
     (start_class env) >"$work/said" 2>&1 || bad "class: $(tail -5 "$work/said")"
     # GNU parallel gives its jobs groups of their own: one may have come to its end after the kill.
@@ -169,7 +159,7 @@ check_table() {
         bad "class: $(row_of bomb)"
     says 'href="alice/index.html"' "$work/out/index.html" "class: the page leads to the reports"
     says 'href="B%C3%B8b%2C%20%22the%22%20%3DO%27Neil/index.html"' "$work/out/index.html" "class: whatever the name"
-    fails_command "class: no work left behind" ls "$work/out/.parts/"part.* "${TMPDIR:-/tmp}/photonlab-class.$UID."*
+    ok "class: no work left behind" not ls "$work/out/.parts/"part.* "${TMPDIR:-/tmp}/photonlab-class.$UID."*
 }
 
 # ---- Gradescope
@@ -180,7 +170,7 @@ check_gradescope() {
         bad "gradescope: $(cat "$work/said")"
     mkdir -p "$place/source" "$place/submission"
     (cd "$place/source" && unzip -q "$work/gradescope/autograder.zip")
-    holds_command "gradescope: both scripts at the root, executable" test -x "$place/source/setup.sh" -a -x \
+    ok "gradescope: both scripts at the root, executable" test -x "$place/source/setup.sh" -a -x \
         "$place/source/run_autograder"
     mkdir "$place/source/photonlab/build" &&
         cp -R "$build/obj" "$build"/*.so "$build/photonlab" "$build/probe" "$build/judge" "$build"/class_* \

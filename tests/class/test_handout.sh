@@ -10,8 +10,8 @@ check_handout() {
     tar -xzf "$work/handout/photonlab-1.tar.gz" -C "$work/a student" || bad "handout: its archive"
     tree="$work/a student/photonlab-1"
     (cd "$tree" && find . -type f) >"$work/files"
-    fails_command "handout: no solutions, mistakes, alternatives, attacks or unit tests" \
-        grep -E '^\./(solutions|tests/(alternatives|attacks|unit))/|^\./tests/mistakes/.*/|\.patch$' "$work/files"
+    ok "handout: no solutions, mistakes, alternatives, attacks or unit tests" \
+        not grep -E '^\./(solutions|tests/(alternatives|attacks|unit))/|^\./tests/mistakes/.*/|\.patch$' "$work/files"
     # Lines of code that only the solutions have; what the library says in the same words gives nothing away.
     awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 }
          inside && !/^ *\/\// { sub(/^ */, ""); sub(/ *\/\/.*/, ""); if (length($0) >= 30) print }' solutions/*/*.c |
@@ -20,12 +20,12 @@ check_handout() {
     while IFS= read -r code; do grep -qF -- "$code" "$work/library" ||
         printf '%s\n' "$code"; done <"$work/lines" >"$work/own"
     check "$(wc -l <"$work/own") >= 40" "handout: $(wc -l <"$work/own") lines that only solutions have are looked for"
-    fails_command "handout: holds none of them" grep -rqIF -f "$work/own" "$tree"
-    fails_command "handout: no symbols or lines of source in the reference's objects" \
-        grep -qE '\.(debug_|symtab)|solutions/' "$tree"/prebuilt/*/solutions/2_glossy_lobe/2.2_turn_to.so
-    holds_command "handout: every stub is pristine" diff -r -x '*.md' -x '*.png' -x .stubs "$tree/exercises/.stubs" \
+    ok "handout: holds none of them" not grep -rqIF -f "$work/own" "$tree"
+    ok "handout: no symbols or lines of source in the reference's objects" \
+        not grep -qE '\.(debug_|symtab)|solutions/' "$tree"/prebuilt/*/solutions/2_glossy_lobe/2.2_turn_to.so
+    ok "handout: every stub is pristine" diff -r -x '*.md' -x '*.png' -x .stubs "$tree/exercises/.stubs" \
         "$tree/exercises"
-    fails_command "handout: nothing for teachers alone in its README" grep -qi "teacher\|make class" "$tree/README.md"
+    ok "handout: nothing for teachers alone in its README" not grep -qi "teacher\|make class" "$tree/README.md"
     (cd "$tree" && find . -name '*.md' | while IFS= read -r file; do
         grep -o '](\([^)#:]*\))' "$file" | sed 's/^](//; s/)$//' | while IFS= read -r link; do
             page=$(dirname "$file")/$link # a chapter links to another's page, which its Markdown becomes
@@ -33,15 +33,15 @@ check_handout() {
     [ ! -s "$work/said" ] && good "handout: no dead links" || bad "handout: dead links: $(cat "$work/said")"
     (cd "$tree" && make help) >"$work/help" 2>&1
     says "  test  .*grade your work" "$work/help" "handout: make help lists what students do"
-    fails_command "handout: and nothing else" \
-        grep -E '^  +(check|class|bench|exercises|calibrate|handout|gradescope|fuzz|mistakes)' "$work/help"
+    ok "handout: and nothing else" \
+        not grep -E '^  +(check|class|bench|exercises|calibrate|handout|gradescope|fuzz|mistakes)' "$work/help"
     # Built by what is here already, newer than its sources, so that only the handout's own part is tried.
     mkdir "$tree/build" &&
         cp -R "$build/obj" "$build"/*.so "$build/photonlab" "$build/probe" "$build/judge" "$build/write_reports" "$tree/build/" &&
         find "$tree/build" -type f -exec touch {} +
     (cd "$tree" && make all hint STEP=2.2) >"$work/said" 2>&1
     says "Hint 1 of 3" "$work/said" "handout: make all hint, in a folder with a blank in its name"
-    holds_command "handout: the reference's objects are in place" test -f \
+    ok "handout: the reference's objects are in place" test -f \
         "$tree/build/solutions/2_glossy_lobe/2.2_turn_to.so"
     cp "$tree/Makefile" "$work/Makefile"
     mv "$tree"/prebuilt/*-* "$tree/prebuilt/sparc-Multics"
@@ -67,7 +67,7 @@ check_submit() {
         bad "submit: takes what does not compile"
     says "1.1_reflect.c:1:" "$work/said" "submit: shows the compiler's lines"
     says "3.2 still calls todo" "$work/said" "submit: says that a step still counts as not started"
-    fails_command "submit: no archive of what does not compile" ls "$tree/build/submit/"*
+    ok "submit: no archive of what does not compile" not ls "$tree/build/submit/"*
     (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_FORCE=1 bash tests/class/submit.sh) >"$work/said" 2>&1
     archive=$(ls "$tree"/build/submit/*.tar.gz)
     says "$(find "$root/exercises/.stubs" -name '*.c' | wc -l) files, 2 steps started" "$work/said" "submit: FORCE=1 takes it, and counts"
@@ -75,7 +75,7 @@ check_submit() {
         "submit: nothing but C files in it"
     cp "$archive" "$work/first" && sleep 1 && touch "$tree"/exercises/*/*.c
     (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_FORCE=1 bash tests/class/submit.sh) >/dev/null 2>&1
-    holds_command "submit: the same files, the same bytes" cmp "$archive" "$work/first"
+    ok "submit: the same files, the same bytes" cmp "$archive" "$work/first"
     unset PHOTONLAB_NAME
 }
 
@@ -106,22 +106,22 @@ check_update() {
 
     mkdir "$work/other" && echo hello >"$work/other/Makefile" && echo hello >"$work/other.tar.gz"
     for file in "$work/other" "$work/other.tar.gz" "$work/nothing" ""; do
-        fails_command "update: refuses FROM=${file##*/}" env PHOTONLAB_FROM="$file" bash "$tree/tests/class/update.sh"
+        ok "update: refuses FROM=${file##*/}" not env PHOTONLAB_FROM="$file" bash "$tree/tests/class/update.sh"
     done
-    holds_command "update: a refusal changes nothing" diff -r "$work/before" "$tree"
+    ok "update: a refusal changes nothing" diff -r "$work/before" "$tree"
 
     PHOTONLAB_FROM=$work/new.tar.gz bash "$tree/tests/class/update.sh" >"$work/said" 2>&1 ||
         bad "update: $(cat "$work/said")"
-    holds_command "update: a started file stays" cmp "$solved/$turn" "$tree/exercises/$turn"
-    holds_command "update: its changed stub is put beside" cmp "$new/exercises/$turn" "$tree/exercises/$turn.new-stub"
-    fails_command "update: an unchanged one is not" ls "$tree/exercises/2_glossy_lobe/2.1_sample_lobe.c.new-stub"
-    holds_command "update: a stub that was not started is replaced" grep -q "new words" \
+    ok "update: a started file stays" cmp "$solved/$turn" "$tree/exercises/$turn"
+    ok "update: its changed stub is put beside" cmp "$new/exercises/$turn" "$tree/exercises/$turn.new-stub"
+    ok "update: an unchanged one is not" not ls "$tree/exercises/2_glossy_lobe/2.1_sample_lobe.c.new-stub"
+    ok "update: a stub that was not started is replaced" grep -q "new words" \
         "$tree/exercises/1_diffuse_photon_map/1.1_reflect.c"
-    holds_command "update: the framework is replaced" cmp "$new/Makefile" "$tree/Makefile"
-    holds_command "update: what came new is there" cmp "$new/scenes/new.yaml" "$tree/scenes/new.yaml"
-    fails_command "update: what is no more is gone" ls "$tree/scenes/diamond.yaml"
-    holds_command "update: the student's own files stay" grep -q mine "$tree/my notes.txt"
-    holds_command "update: a file of the framework that the student changed is kept" grep -q mine \
+    ok "update: the framework is replaced" cmp "$new/Makefile" "$tree/Makefile"
+    ok "update: what came new is there" cmp "$new/scenes/new.yaml" "$tree/scenes/new.yaml"
+    ok "update: what is no more is gone" not ls "$tree/scenes/diamond.yaml"
+    ok "update: the student's own files stay" grep -q mine "$tree/my notes.txt"
+    ok "update: a file of the framework that the student changed is kept" grep -q mine \
         "$tree/before-update-1/scenes/prism.yaml"
     says "yours, left alone: exercises/$turn" "$work/said" "update: tells what it left alone"
 
@@ -132,7 +132,7 @@ check_update() {
     check "$? == 9" "update: can be cut off"
     bash "$tree/tests/class/update.sh" >"$work/said" 2>&1
     rm "$tree/tests/class/cut.sh"
-    holds_command "update: the next one finishes the one that was cut off" cmp "$new/scenes/new.yaml" \
+    ok "update: the next one finishes the one that was cut off" cmp "$new/scenes/new.yaml" \
         "$tree/scenes/new.yaml"
-    fails_command "update: and leaves no trace" ls -d "$tree/.update"
+    ok "update: and leaves no trace" not ls -d "$tree/.update"
 }

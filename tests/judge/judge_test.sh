@@ -9,79 +9,68 @@ stage1="$work/my code/1_diffuse_photon_map"
 mkdir -p "$stage1"
 judge=("$build/judge" --build "$build" --work "$work/test" --code "$work/my code")
 
-# expect CODE TEXT FLAGS…: the judge's exit code, and a text in what it says (white space counts as one blank).
-expect() {
-    local code=$1 text=$2 got
+# judged CODE TEXT FLAGS…: the judge's exit code, and a text in what it says.
+judged() {
+    local code=$1 text=$2
     shift 2
-    "${judge[@]}" "$@" >"$work/out" 2>&1
-    got=$?
-    if [ $got = "$code" ] && tr -s ' \n' ' ' <"$work/out" | grep -qF -- "$text"; then good "judge $*: $text"; else
-        bad "judge $*: exit $got, expected $code and '$text': $(cat "$work/out")"
-    fi
+    expect "$code" "$text" "${judge[@]}" "$@"
 }
 
-expect 2 "expected a folder laid out like exercises/" --code "$work/nowhere"
-expect 2 "there is no step or stage like that; there are 1.1 1.2" --step 9.9
-expect 2 "there is no step or stage like that" --stage x
-expect 2 "what is \`2.1\`" 2.1
-expect 0 "0 passed, 0 failed" --stage 1
-expect 1 "6 not started" --stage 1 --strict
+judged 2 "expected a folder laid out like exercises/" --code "$work/nowhere"
+judged 2 "there is no step or stage like that; there are 1.1 1.2" --step 9.9
+judged 2 "there is no step or stage like that" --stage x
+judged 2 "what is \`2.1\`" 2.1
+judged 0 "0 passed, 0 failed" --stage 1
+judged 1 "6 not started" --stage 1 --strict
 
 # A right step in a folder with a blank in its name; the same in the wrong place.
 cp solutions/1_diffuse_photon_map/1.1_reflect.c "$stage1/"
-expect 0 "1 passed, 0 failed" --stage 1
+judged 0 "1 passed, 0 failed" --stage 1
 mv "$stage1/1.1_reflect.c" "$work/my code/1.1_mirror.c"
-expect 0 "1.1_mirror.c is not graded: step 1.1 is looked for in" --stage 1
+judged 0 "1.1_mirror.c is not graded: step 1.1 is looked for in" --stage 1
 rm "$work/my code/1.1_mirror.c"
 
 # todo left beside real code is named, in an untouched stub it is not.
 sed 's/^    return .*/    return vec3_along(direction, normal, -2 * vec3_dot(direction, normal));/' \
     exercises/.stubs/1_diffuse_photon_map/1.1_reflect.c >"$stage1/1.1_reflect.c"
-expect 0 "but line 6 still calls todo()" --step 1.1
+judged 0 "but line 6 still calls todo()" --step 1.1
 cp exercises/.stubs/1_diffuse_photon_map/1.1_reflect.c "$stage1/"
-expect 0 "1 not started" --step 1.1
-if grep -q "still calls" "$work/out"; then bad "an empty step is called started"; else good "an empty step is not called started"; fi
+judged 0 "1 not started" --step 1.1
+ok "an empty step is not called started" not said "still calls"
 
 # A compile error is that step's alone; a warning stands beside a failure.
 cp solutions/1_diffuse_photon_map/1.2_emit_photon.c "$stage1/"
 echo 'Vec3 reflect(Vec3 direction, Vec3 normal) { return direction normal; }' >"$stage1/1.1_reflect.c"
-expect 1 "it does not compile" --stage 1
-if grep -q "1.1_reflect.c:1:.*error" "$work/out" && grep -q "✓ 1.2" "$work/out"; then
-    good "the compiler's own line, and step 1.2 passes beside it"
-else
-    bad "compile error: $(cat "$work/out")"
-fi
+judged 1 "it does not compile" --stage 1
+ok "the compiler's own line" grep "1.1_reflect.c:1:.*error" "$work/out"
+ok "step 1.2 passes beside it" said "✓ 1.2"
 printf '#include "photonlab.h"\nVec3 reflect(Vec3 direction, Vec3 normal) { (void)normal; (void)direction; }\n' >"$stage1/1.1_reflect.c"
-expect 1 "non-void function" --step 1.1
+judged 1 "non-void function" --step 1.1
 printf '#include "photonlab.h"\nfloat two = 2;\nVec3 reflect(Vec3 d, Vec3 n) { return vec3_along(d, n, -two * vec3_dot(d, n)); }\n' >"$stage1/1.1_reflect.c"
-expect 1 "write \`const\` before it" --step 1.1
+judged 1 "write \`const\` before it" --step 1.1
 printf '#include <stdio.h>\n#include "photonlab.h"\nVec3 reflect(Vec3 d, Vec3 n) { printf("here\\n"); return *(Vec3 *)0; (void)d; (void)n; }\n' >"$stage1/1.1_reflect.c"
-expect 1 "printed: here" --step 1.1
+judged 1 "printed: here" --step 1.1
 
 # make debug: gdb stops where it crashes.
 mkdir -p "$work/build"
 ln -s "$build"/* "$work/build/" 2>/dev/null
 rm -rf "$work/build/test"
 ln -s "$work/test" "$work/build/test"
-if GDB_FLAGS=-batch sh "$here/debug.sh" "$work/build" 1.1 >"$work/out" 2>&1 </dev/null && grep -q "SIGSEGV" "$work/out"; then
-    good "make debug stops at the crash"
-else
-    bad "make debug: $(tail -3 "$work/out")"
-fi
+GDB_FLAGS=-batch expect 0 "SIGSEGV" sh "$here/debug.sh" "$work/build" 1.1 </dev/null
 
 # The scatter of a stage: right code passes, a mistake shows, a crash costs that line alone, one step alone has none.
 rm -rf "$work/my code"
 mkdir -p "$work/my code"
 cp -R solutions/. "$work/my code/"
-expect 0 "✓ scatter of stage 2, by your 2.1 2.2 2.4" --stage 2
-expect 0 "✓ scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5" --stage 1
-expect 0 "1 passed, 0 failed" --step 2.4
-if grep -q scatter "$work/out"; then bad "one step alone has a scatter"; else good "one step alone has no scatter"; fi
+judged 0 "✓ scatter of stage 2, by your 2.1 2.2 2.4" --stage 2
+judged 0 "✓ scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5" --stage 1
+judged 0 "1 passed, 0 failed" --step 2.4
+ok "one step alone has no scatter" not said scatter
 patch -s -d "$work/my code" -p2 <tests/mistakes/2.4_lobe_about_normal/a.patch
-expect 1 "✗ scatter of stage 2, by your 2.1 2.2 2.4 stage 2, scatter: " --stage 2
+judged 1 "✗ scatter of stage 2, by your 2.1 2.2 2.4 stage 2, scatter: " --stage 2
 cp -R solutions/. "$work/my code/"
 rm "$work/my code/2_glossy_lobe/2.4_scatter_glossy_phong.c"
-expect 0 "✓ scatter of stage 2, by your 2.1 2.2 2.3" --stage 2
+judged 0 "✓ scatter of stage 2, by your 2.1 2.2 2.3" --stage 2
 cp solutions/2_glossy_lobe/2.4_scatter_glossy_phong.c "$work/my code/2_glossy_lobe/"
 # The picture of the same photons; where nothing draws, a sentence about what to install in its place.
 "${judge[@]}" --stage 2 --report "$work/report" >"$work/out" 2>&1
@@ -103,16 +92,12 @@ case $(preview "$work/cut.photons") in *"is no file of photons"*) good "a file c
 if preview "$work/nan.photons" >"$work/out"; then good "photons that are no numbers are left out"; else bad "NaN: $(cat "$work/out")"; fi
 # A null pointer on the steel ball alone.
 sed -i 's/^{$/{ if (exponent > 150.0f \&\& exponent < 250.0f) return *(volatile bool *)0;/' "$work/my code/2_glossy_lobe/2.4_scatter_glossy_phong.c"
-"${judge[@]}" --stage 2 >"$work/out" 2>&1
-if grep -q "! scatter of stage 2" "$work/out" && tr -s ' \n' ' ' <"$work/out" | grep -q "2.1 2.2 2.4 did not get through: segmentation fault in scatter_glossy_phong of step 2.4, line" && grep -q "✓ 2.1" "$work/out"; then
-    good "a crash in the scatter is told in its line"
-else
-    bad "a crash in the scatter: $(cat "$work/out")"
-fi
+judged 1 "2.1 2.2 2.4 did not get through: segmentation fault in scatter_glossy_phong of step 2.4, line" --stage 2
+ok "a crash in the scatter is told in its line, beside right steps" grep -qz "✓ 2.1.*! scatter of stage 2" "$work/out"
 # Photons that the student's code writes down itself: in another place, and in the very form of the probe.
 cp solutions/2_glossy_lobe/2.4_scatter_glossy_phong.c "$work/my code/2_glossy_lobe/"
 cp tests/attacks/results_turned_back/*/*.c "$stage1/"
-expect 1 "! scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5 stage 1, scatter: something other than the probe wrote" --stage 1
+judged 1 "! scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5 stage 1, scatter: something other than the probe wrote" --stage 1
 cat >"$stage1/1.1_reflect.c" <<'END'
 #include "photonlab.h"
 #include <stdint.h>
@@ -131,12 +116,8 @@ Vec3 reflect(Vec3 direction, Vec3 normal)
     return direction;
 }
 END
-expect 1 "✗ scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5 stage 1, scatter: the scene gets 100 % fewer photons" --stage 1
-if bash "$here/scatter_power_test.sh" 1.2_corner 1.3_uniform >"$work/out" && grep -q "^2 of 2 are seen" "$work/out"; then
-    good "known mistakes are seen"
-else
-    bad "known mistakes: $(cat "$work/out")"
-fi
+judged 1 "✗ scatter of stage 1, by your 1.1 1.2 1.3 1.4 1.5 stage 1, scatter: the scene gets 100 % fewer photons" --stage 1
+expect 0 "2 of 2 are seen" bash "$here/scatter_power_test.sh" 1.2_corner 1.3_uniform
 rm -rf "$work/my code"
 mkdir -p "$stage1"
 cp solutions/1_diffuse_photon_map/1.2_emit_photon.c "$stage1/"
@@ -146,7 +127,7 @@ awk 'BEGIN { print "total 30\npicture 20" } $1 == "step" && $2 <= "2" { print $1
     tests/judge/points.txt >"$work/weights"
 table() {
     { grep -v "^$1" "$work/weights"; echo "$2"; } >"$work/points"
-    expect "$3" "$4" --step 1.2 --points "$work/points"
+    judged "$3" "$4" --step 1.2 --points "$work/points"
 }
 table "step 1.2" "step 1.2 2" 0 "8.57 of 8.57 points"
 table "step 1.2" "step 1.2 6 hidden" 0 "1 hidden step is graded, too"
@@ -159,6 +140,6 @@ table "picture" "picture 120" 2 "a percentage from 0 to 100"
 
 # Without a sandbox: loud, and not for credit.
 export PHOTONLAB_SANDBOX=none
-expect 0 "NO SANDBOX" --step 1.2
-expect 3 "NO SANDBOX" --step 1.2 --credit
+judged 0 "NO SANDBOX" --step 1.2
+judged 3 "NO SANDBOX" --step 1.2 --credit
 finish

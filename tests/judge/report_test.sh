@@ -34,13 +34,6 @@ prepare() {
     jq "$2" "$cases/report.json" >"$dir/report.json"
 }
 
-# ok TEXT COMMAND…: the command ends with 0.
-ok() {
-    local text=$1
-    shift
-    if "$@" >"$work/why" 2>&1; then good "$text"; else bad "$text — $(head -c 300 "$work/why")"; fi
-}
-not() { ! "$@"; }
 # says FILE PATTERN; says_not: fixed strings.
 says() { grep -qF -e "$2" "$1"; }
 true_of() { jq -e -s "if length == 1 then .[0] else error(\"one value\") end | $1" "$2"; }

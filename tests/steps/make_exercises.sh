@@ -49,13 +49,6 @@ write() {
     echo "$written stubs written, $kept left alone"
 }
 
-# verdict TEXT COMMAND…: a line for a command that must succeed, with what it says when it does not.
-verdict() {
-    local text=$1 said
-    shift
-    if said=$("$@" 2>&1); then good "$text"; else bad "$text${said:+: $said}"; fi
-}
-
 same_file() {
     cmp -s "$1" "$2" || { echo "$2 differs; \`make exercises\` brings it up to date unless it has been worked on" && false; }
 }
@@ -103,22 +96,22 @@ check_step() {
     local file=$1 name id cc
     name=$(basename "$file" .c)
     id=${name%%_*}
-    verdict "$id solution: does not call todo" no_todo "solutions/$file"
-    verdict "$id stub: as its solution gives it" same_file "$work/stubs/$file" "exercises/$file"
-    verdict "$id stub: pristine copy" same_file "$work/stubs/$file" "$pristine/$file"
-    verdict "$id stub: is marked as not started" calls_todo_once "exercises/$file" "$id"
-    verdict "$id stub: holds no line of the solution" no_solution_code "solutions/$file" "exercises/$file"
-    verdict "$id README: is in its stage's table" in_row "exercises/${file%/*}/README.md" "^| ${id/./\\.} |.*${file##*/}"
-    verdict "$id README: is in the course's table" in_row README.md "^| ${id%.*} .*[| ]${id/./\\.} "
-    verdict "$id README: its stage is in the exercises' table" in_row exercises/README.md "^| \[${id%.*} .*(${file%/*}/README.md)"
-    verdict "$id points: what it is worth" in_row tests/judge/points.txt "^step ${id/./\\.} "
-    verdict "$id contract: stands in its stage's header" in_row "lib/steps/${file%/*}.h" "^// ${id/./\\.}  "
-    verdict "$id hints: three parts" has_hints "$id" "${file%.c}"
+    ok "$id solution: does not call todo" no_todo "solutions/$file"
+    ok "$id stub: as its solution gives it" same_file "$work/stubs/$file" "exercises/$file"
+    ok "$id stub: pristine copy" same_file "$work/stubs/$file" "$pristine/$file"
+    ok "$id stub: is marked as not started" calls_todo_once "exercises/$file" "$id"
+    ok "$id stub: holds no line of the solution" no_solution_code "solutions/$file" "exercises/$file"
+    ok "$id README: is in its stage's table" in_row "exercises/${file%/*}/README.md" "^| ${id/./\\.} |.*${file##*/}"
+    ok "$id README: is in the course's table" in_row README.md "^| ${id%.*} .*[| ]${id/./\\.} "
+    ok "$id README: its stage is in the exercises' table" in_row exercises/README.md "^| \[${id%.*} .*(${file%/*}/README.md)"
+    ok "$id points: what it is worth" in_row tests/judge/points.txt "^step ${id/./\\.} "
+    ok "$id contract: stands in its stage's header" in_row "lib/steps/${file%/*}.h" "^// ${id/./\\.}  "
+    ok "$id hints: three parts" has_hints "$id" "${file%.c}"
     for cc in gcc clang; do
         mkdir -p "$work/$cc/${file%/*}"
-        verdict "$id stub: $cc builds it without a warning" build $cc "exercises/$file" "$work/$cc/${file%.c}.so"
+        ok "$id stub: $cc builds it without a warning" build $cc "exercises/$file" "$work/$cc/${file%.c}.so"
     done
-    verdict "$id stub: builds when it is started" builds_when_started gcc "exercises/$file"
+    ok "$id stub: builds when it is started" builds_when_started gcc "exercises/$file"
 }
 
 # All of them are found not started by the program, whoever compiled them.
@@ -129,7 +122,7 @@ check_not_started() {
         "$PROGRAM" render scenes/box_diffuse.yaml --size 8x8 --photons 100 --samples 1 -o "$work/a.png" --code "$work/$cc" \
             >"$work/said" 2>&1 || bad "the program does not run with the stubs by $cc: $(head -1 "$work/said")"
         for id in $ids; do
-            verdict "$id stub: counts as not started, built by $cc" grep -q "^not started.*: .*\b$id\b" "$work/said"
+            ok "$id stub: counts as not started, built by $cc" grep -q "^not started.*: .*\b$id\b" "$work/said"
         done
     done
 }
@@ -137,7 +130,7 @@ check_not_started() {
 check() {
     local file
     generate "$work/stubs" >"$work/said" 2>&1 || { bad "no stubs: $(cat "$work/said")"; finish; exit 1; }
-    verdict "as many solutions as the program has steps" \
+    ok "as many solutions as the program has steps" \
         [ "$(ls solutions/*/*.c | wc -l)" -eq "$("$PROGRAM" steps | wc -l)" ]
     for file in exercises/*/*.c "$pristine"/*/*.c; do
         file=${file#"$pristine/"}
