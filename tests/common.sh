@@ -41,6 +41,15 @@ check() {
     if holds "$1"; then good "$2"; else bad "$2 — expected $1"; fi
 }
 
+# same_means NAME JSON: are both pictures of `photonlab diff --json` as bright on average, within 0.5 %?
+same_means() {
+    local c
+    for c in 0 1 2; do
+        check "$(number "$2" mean_ratio $c) > 0.995 && $(number "$2" mean_ratio $c) < 1.005" \
+            "$1: mean ratio of channel $c is $(number "$2" mean_ratio $c)"
+    done
+}
+
 # ok TEXT COMMAND…: a line for a command that must succeed, with what it said when it does not.
 ok() {
     local text=$1 said

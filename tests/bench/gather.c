@@ -49,17 +49,6 @@ static inline void tally_add(Tally *tally, const StoredPhoton *photon, float dis
     tally->sum = colour_add(tally->sum, colour_scale(photon->power, weight));
 }
 
-static void tally_run(const StoredPhoton *run, size_t count, void *user)
-{
-    Tally *tally = user;
-    for (size_t i = 0; i < count; i++) {
-        Vec3 d = vec3_sub(run[i].position, tally->point);
-        float distance2 = vec3_dot(d, d);
-        if (distance2 < tally->radius * tally->radius)
-            tally_add(tally, &run[i], distance2);
-    }
-}
-
 static Tally tally_start(const Work *work, size_t query)
 {
     const BenchQuery *q = &work->queries[query];
@@ -67,14 +56,6 @@ static Tally tally_start(const Work *work, size_t query)
                    .normal = from_array(q->normal),
                    .radius = work->radius,
                    .per_radius = 1.0f / work->radius};
-}
-
-static Sums measure_visit(const Work *work, size_t query, NearPhoton *near)
-{
-    (void)near;
-    Tally tally = tally_start(work, query);
-    photon_map_visit(work->map, tally.point, work->radius, tally_run, &tally);
-    return (Sums){0.0, (double)tally.found, (double)colour_sum(tally.sum)};
 }
 
 static Sums measure_within(const Work *work, size_t query, NearPhoton *near)
@@ -164,8 +145,6 @@ static void print_measures(Work *work, const BenchArguments *arguments)
     work->query_count = arguments->queries;
     printf("radius_kq_s %.1f\n", rate(work, repetitions, measure_within, &sums));
     printf("radius_mean_found %.4f\nradius_power %.7g\n", sums.found / queries, sums.power / queries);
-    printf("radius_visit_kq_s %.1f\n", rate(work, repetitions, measure_visit, &sums));
-    printf("radius_visit_power %.7g\n", sums.power / queries);
 }
 
 int main(int argc, char **argv)

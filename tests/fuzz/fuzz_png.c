@@ -1,6 +1,7 @@
 // libFuzzer target: whatever bytes a PNG file holds, reading it ends in an image of pixels from 0 to 1 or in an error.
 // Build and run: make fuzz READER=png
 #include "image/codec.h"
+#include "unit/image/png_builder.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -15,24 +16,13 @@ static uint32_t read_u32(const uint8_t *b)
     return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
 }
 
-static uint32_t checksum(const uint8_t *bytes, size_t size)
-{
-    uint32_t crc = UINT32_MAX;
-    for (size_t i = 0; i < size; i++) {
-        crc ^= bytes[i];
-        for (int bit = 0; bit < 8; bit++)
-            crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
-    }
-    return ~crc;
-}
-
 // Makes the checksum of every chunk right, without which hardly a changed file would get past its header. A
 // file whose last byte is odd keeps its own, so that wrong ones are tried too.
 static void mend(uint8_t *bytes, size_t size)
 {
     for (size_t at = 8; at + 12 <= size && read_u32(bytes + at) <= size - at - 12;) {
         size_t length = read_u32(bytes + at);
-        uint32_t crc = checksum(bytes + at + 4, length + 4);
+        uint32_t crc = png_checksum(bytes + at + 4, length + 4);
         for (int i = 0; i < 4; i++)
             bytes[at + 8 + length + (size_t)i] = (uint8_t)(crc >> (24 - 8 * i));
         at += length + 12;

@@ -2,7 +2,7 @@
 // this under sanitizers too). Works from the top folder: tests/malformed/ holds one small file per fault,
 // expected.inc the words.
 #include "scene/file/scene_load.h"
-#include "unit/test.h"
+#include "unit/scene/temporary_folder.h"
 
 #include <dirent.h>
 #include <stdio.h>
@@ -83,21 +83,7 @@ TEST(test_no_file_is_forgotten)
     assert_int_equal(count, FAULTS + 2);
 }
 
-// What is too large, too deep or no file at all is made here.
-static char temporary[] = "/tmp/photonlab_test_XXXXXX";
-
-static int make_folder(void **state)
-{
-    (void)state;
-    return mkdtemp(temporary) ? 0 : -1;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    return rmdir(temporary);
-}
-
+// What is too large, too deep or no file at all is made in a folder.
 static const char *temporary_path(const char *name)
 {
     static char path[200];
@@ -194,5 +180,3 @@ TEST(test_too_many)
     assert_text_refused(text, "made.yaml:258:5: too many materials");
     free(materials);
 }
-
-AROUND_TESTS(make_folder, remove_folder)

@@ -1,5 +1,6 @@
 // Shapes and meshes as flats of a scene: closed, turned and placed as the file says.
 #include "unit/scene/scene_from_text.h"
+#include "unit/scene/temporary_folder.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -67,20 +68,6 @@ TEST(test_prism_place)
     scene_free(scene);
 }
 
-static char temporary[] = "/tmp/photonlab_test_XXXXXX";
-
-static int make_folder(void **state)
-{
-    (void)state;
-    return mkdtemp(temporary) ? 0 : -1;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    return rmdir(temporary);
-}
-
 // A scene with one mesh, whose text is `obj`; `keys` are put behind the file's name.
 static Scene *load_mesh(const char *obj, const char *keys)
 {
@@ -138,5 +125,3 @@ TEST(test_mesh_normals)
     assert_vector(scene->normals[1], -0.6f, 0, 0.8f);
     scene_free(scene);
 }
-
-AROUND_TESTS(make_folder, remove_folder)
