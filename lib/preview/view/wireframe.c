@@ -126,21 +126,18 @@ static void add_sphere(Vertices *list, Vec3 centre, float radius, Rgba colour)
         vertices_circle(list, vec3_along(centre, y, (float)i * d * radius), x, z, d * radius, rgba_fade(colour, 0.5f));
 }
 
-// Lamps without a surface: point, spot and beam.
-static void add_light(const Light *light, float size, Vertices *list)
+static void add_point(const Light *light, float reach, Vertices *list)
 {
-    float reach = 0.03f * size;
-    Frame frame = frame_about(light->direction);
-    if (light->type == LIGHT_POINT) {
-        for (int axis = 0; axis < 3; axis++) {
-            Vec3 d = vec3(axis == 0, axis == 1, axis == 2);
-            vertices_line(list, vec3_along(light->position, d, -reach), vec3_along(light->position, d, reach),
-                          COLOUR_OF_LIGHTS);
-        }
-        return;
+    for (int axis = 0; axis < 3; axis++) {
+        Vec3 d = vec3(axis == 0, axis == 1, axis == 2);
+        vertices_line(list, vec3_along(light->position, d, -reach), vec3_along(light->position, d, reach),
+                      COLOUR_OF_LIGHTS);
     }
-    if (light->type != LIGHT_SPOT && light->type != LIGHT_BEAM)
-        return;
+}
+
+static void add_spot_or_beam(const Light *light, float reach, Vertices *list)
+{
+    Frame frame = frame_about(light->direction);
     bool beam = light->type == LIGHT_BEAM;
     float cosine = fminf(fmaxf(light->cos_cone, 0.02f), 1.0f);
     float radius = beam ? light->radius : 2.0f * reach * sqrtf(1.0f - cosine * cosine);
@@ -155,6 +152,21 @@ static void add_light(const Light *light, float size, Vertices *list)
     }
 }
 
+static void add_light(const Light *light, float reach, Vertices *list)
+{
+    switch (light->type) {
+    case LIGHT_RECTANGLE:
+    case LIGHT_SPHERE:
+        return; // drawn as surfaces
+    case LIGHT_POINT:
+        add_point(light, reach, list);
+        return;
+    case LIGHT_SPOT:
+    case LIGHT_BEAM:
+        add_spot_or_beam(light, reach, list);
+    }
+}
+
 void wireframe_build(const Scene *scene, Vertices *list)
 {
     Box box = bvh_bounds(scene->bvh);
@@ -165,7 +177,7 @@ void wireframe_build(const Scene *scene, Vertices *list)
         add_sphere(list, scene->spheres[i].centre, scene->spheres[i].radius,
                    material_line(&scene->materials[scene->spheres[i].material]));
     for (size_t i = 0; i < scene->light_count; i++)
-        add_light(&scene->lights[i], size, list);
+        add_light(&scene->lights[i], 0.03f * size, list);
 }
 
 void wireframe_draw(const Pane *pane, float strength)
