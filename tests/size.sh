@@ -11,7 +11,7 @@ find lib tests -name '*.[ch]' -o -name '*.def' -o -name '*.sh' | LC_ALL=C sort |
     {
         room = $2
         sub(/\/[^\/]*$/, "", room)
-        if (match(room, /^tests\/(alternatives|attacks|mistakes|steps|unit)/)) room = substr(room, 1, RLENGTH)
+        if (match(room, /^tests\/(alternatives|attacks|extend|mistakes|steps|unit)/)) room = substr(room, 1, RLENGTH)
         if (!files[room]++) order[++rooms] = room
         lines[room] += $1
         all[substr(room, 1, index(room "/", "/") - 1)] += $1

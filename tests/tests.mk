@@ -14,7 +14,7 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(LIBRARY)
 $(PREVIEW_TESTS): $(call object,$(PREVIEW_SOURCES))
 
 .PHONY: check-build check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-exercises \
-        check-preview check-judge check-reports check-attacks check-sandbox check-scatter check-pictures check-arm check-same check-rooms \
+        check-preview check-judge check-reports check-attacks check-sandbox check-scatter check-pictures check-arm check-same check-rooms check-extend \
         reference agreement calibrate exercises bench bench-test bench-preview fuzz size format
 
 # Before all others, which then build nothing twice.
@@ -23,6 +23,10 @@ check-build: judge class-tools meshes
 ##check first check-rooms  which folder includes which: as lib/README.md and tests/README.md say?
 check-rooms:
 	@bash tests/rooms_test.sh
+
+##check long check-extend  what a stage, a material, a view, a key costs; TRIAL=view (ten minutes)
+check-extend:
+	@bash tests/extend/run.sh $(TRIAL)
 
 ##check first check-unit  the library's unit tests
 check-unit: all meshes $(TESTS)
