@@ -34,7 +34,7 @@ PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
 PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lyaml)
 
-override CFLAGS += $(if $(HAVE_PREVIEW),,-DWITHOUT_PREVIEW) $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(EXTRA) $(if $(CHECK),-Werror)
+override CFLAGS += $(if $(HAVE_PREVIEW),,-DWITHOUT_PREVIEW) $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(or $(EXTRA),$(if $(CHECK),-Werror))
 LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(OPENMP)
 
 ifeq ($(SYSTEM),Darwin)

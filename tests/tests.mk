@@ -35,7 +35,7 @@ check-unit: all meshes $(TESTS)
 ##check first check-sanitized  the same under sanitizers (in make check without the preview's)
 # The preview's start compilers and draw by software; under sanitizers that takes longer than it tells.
 check-sanitized: meshes
-	@$(SANITIZED) $(if $(CHECK),TEST_SOURCES='$(filter-out tests/unit/preview/%,$(TEST_SOURCES))') check-unit
+	+@$(SANITIZED) $(if $(CHECK),TEST_SOURCES='$(filter-out tests/unit/preview/%,$(TEST_SOURCES))') check-unit
 
 ##check first check-bytes  no warning by gcc or clang; by both, on 1, 2 and 7 threads, the same bytes
 # What gcc has built already it need not build again; `make check` has it build with -Werror from the start.
@@ -55,7 +55,7 @@ check-cli: all
 
 ##check first check-cli-sanitized  the same under sanitizers
 check-cli-sanitized: meshes
-	@$(SANITIZED) check-cli
+	+@$(SANITIZED) check-cli
 
 ##check first check-probe  what the judge asks of a step, in numbers
 check-probe: all $(PROBE)

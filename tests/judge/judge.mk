@@ -43,4 +43,4 @@ debug: judge
 
 ## test-sanitized  the test under sanitizers, which see what did not crash by luck: STEP=2.1
 test-sanitized:
-	@$(SANITIZED) STEP_OPTIMISE=-O1 CODE="$(CODE)" STEP="$(STEP)" STAGE="$(STAGE)" JUDGE_FLAGS="--sanitized --seconds 60" test
+	+@$(SANITIZED) STEP_OPTIMISE=-O1 CODE="$(CODE)" STEP="$(STEP)" STAGE="$(STAGE)" JUDGE_FLAGS="--sanitized --seconds 60" test
