@@ -51,6 +51,9 @@ typedef struct {
 // Reads a YAML scene and the meshes it names (paths are relative to the scene file). NULL on any fault, with
 // "file:line:column: …" in the error.
 Scene *scene_load(const char *path, Error *error);
+// The same from memory. `file` names the text in messages; meshes are looked for in `folder`, which ends in a slash; NULL
+// refuses them.
+Scene *scene_load_text(const char *text, size_t size, const char *file, const char *folder, Error *error);
 void scene_free(Scene *scene);
 
 // The closest surface along the ray.

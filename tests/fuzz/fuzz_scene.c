@@ -1,6 +1,6 @@
 // Feeds the scene loader with whatever libFuzzer thinks of. It must come back with a scene or with a message, and never
 // crash, hang or leak. Meshes are not read. Build and run: make fuzz READER=scene
-#include "scene/file/scene_load.h"
+#include "scene/scene.h"
 
 #include <stdlib.h>
 

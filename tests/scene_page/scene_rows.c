@@ -1,7 +1,5 @@
 #include "scene_page/scene_rows.h"
 
-#include "scene/file/scene_load.h"
-
 #include <stdio.h>
 #include <string.h>
 

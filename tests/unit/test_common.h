@@ -7,7 +7,7 @@
 #define PHOTONLAB_TEST_COMMON_H
 
 #include "photonlab.h"
-#include "scene/file/scene_load.h"
+#include "scene/scene.h"
 #include "unit/test.h"
 
 #include <stdlib.h>

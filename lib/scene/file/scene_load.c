@@ -1,7 +1,6 @@
-#include "scene/file/scene_load.h"
+#include "scene/file/scene_section.h"
 
 #include "base/text.h"
-#include "scene/file/scene_read.h"
 
 #include <stdlib.h>
 #include <string.h>

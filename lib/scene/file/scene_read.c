@@ -1,10 +1,8 @@
-#include "scene/file/scene_read.h"
+#include "scene/file/scene_walk.h"
 
 #include "base/array.h"
 #include "base/text.h"
-#include "scene/file/scene_walk.h"
 
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_TESTS_SCENE_FROM_TEXT_H
 #define PHOTONLAB_TESTS_SCENE_FROM_TEXT_H
 
-#include "scene/file/scene_load.h"
+#include "scene/scene.h"
 #include "unit/test.h"
 
 #include <string.h>

@@ -1,7 +1,7 @@
 // Every malformed scene and mesh is refused, at the right place and in the right words, without a crash (run
 // this under sanitizers too). Works from the top folder: tests/malformed/ holds one small file per fault,
 // expected.inc the words.
-#include "scene/file/scene_load.h"
+#include "scene/scene.h"
 #include "unit/scene/temporary_folder.h"
 
 #include <dirent.h>
