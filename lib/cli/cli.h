@@ -34,7 +34,7 @@ void progress_bar_end(ProgressBar *bar);
 // Before the work: which steps the student's code plays, and which are there but do not play.
 void report_steps(StepChoice choice, bool path_tracer);
 
-// After it: what right steps never do. Lobes redrawn too often, directions of no length, flux from nowhere.
+// After the work: what right steps never do. Lobes redrawn too often, directions of no length, flux from nowhere.
 void report_oddities(const Ledger *ledger, long paths, const UnsoundPaths *unsound);
 
 // After a picture that could not be written: where a value that is no number may have come from.

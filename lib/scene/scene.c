@@ -17,8 +17,8 @@ void scene_free(Scene *scene)
     free(scene);
 }
 
-// A ray's first millionth is skipped: where two surfaces meet, rounding may have put its origin just behind the other
-// one.
+// A hit nearer than this does not count, a millionth of the origin's largest coordinate: in a corner, rounding may have
+// put the origin just behind the surface next to its own.
 static float nearest_distance(Vec3 origin)
 {
     return 1e-6f * fmaxf(fabsf(origin.x), fmaxf(fabsf(origin.y), fabsf(origin.z)));
@@ -44,14 +44,14 @@ static void fill_flat(const Scene *scene, const Ray *ray, const BvhHit *at, Hit 
 {
     const Flat *flat = &scene->flats[at->primitive];
     hit->material = &scene->materials[flat->material];
-    // The point from the surface's own coordinates: closer to the surface than origin + t·direction.
+    // By u and v, which puts the point closer to the surface than origin + t·direction would.
     hit->position = vec3_along(vec3_along(flat->origin, flat->edge_u, at->u), flat->edge_v, at->v);
     set_side(ray, vec3_normalize(vec3_cross(flat->edge_u, flat->edge_v)), hit);
     if (!flat->normals || material_is_rough(hit->material))
         return;
     Vec3 smooth = interpolated_normal(scene, flat, at);
     smooth = hit->entering ? smooth : vec3_negate(smooth);
-    if (vec3_dot(ray->direction, smooth) < 0.0f) // at a silhouette it may face away: then the face must do
+    if (vec3_dot(ray->direction, smooth) < 0.0f) // at a silhouette it may face away: then face_normal stays
         hit->normal = smooth;
 }
 

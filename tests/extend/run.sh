@@ -9,9 +9,9 @@
 #     added FILE SAID                 a file of new/, and what is said without it
 #     try()                           builds and uses it; false, with the reason, when something is amiss
 set -u
-cd "${FROM:-$(dirname "$0")/../..}" || exit 2
+cd "$(dirname "$0")/../.." || exit 2
 . tests/common.sh
-trials=${TRIALS:-$PWD/tests/extend}
+trials=$PWD/tests/extend
 tree=$work/tree
 mkdir "$tree"
 git ls-files -co --exclude-standard -z | xargs -0 cp --parents -t "$tree" 2>/dev/null

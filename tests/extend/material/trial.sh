@@ -1,7 +1,7 @@
 # Velvet: a rough material with a BRDF that no step knows. Photons and the path tracer must see the same.
 most=3
 added lib/scene/materials/velvet.c "material_velvet"
-place lib/scene/materials.def "MATERIAL(light)" "MATERIAL(velvet)" "velvet"
+place lib/scene/materials.def "MATERIAL(light)" "MATERIAL(velvet)" "material_velvet"
 written scenes/README.md scene-page "scenes/README.md is not current"
 
 try() {
