@@ -18,12 +18,12 @@
 #define USUAL_SECONDS 0.006 // of the fixed task below, on the machine where the limits were chosen
 #define MOST_SLOWNESS 4.0
 
-static void make_absolute(const char **path, char *room, size_t size)
+static void make_absolute(const char **path, char *absolute_path, size_t size)
 {
     char absolute[4096];
     if (realpath(*path, absolute)) {
-        snprintf(room, size, "%s", absolute);
-        *path = room;
+        snprintf(absolute_path, size, "%s", absolute);
+        *path = absolute_path;
     }
 }
 
@@ -84,7 +84,8 @@ static int exit_code(const Arguments *a, const StepResult *results, int count, c
     return (a->strict ? all : none_fails) ? 0 : EXIT_FAILS;
 }
 
-static int grade(const Arguments *a, const PointsTable *points, StepResult *results)
+// With no points yet, for a report that is cut short. How many.
+static int list_wanted(const Arguments *a, const PointsTable *points, StepResult *results)
 {
     int count = 0;
     for (size_t i = 0; i < STEP_COUNT; i++) {
@@ -130,7 +131,7 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
     StageResult stages[STAGE_COUNT] = {{0}};
     double start = clock_seconds();
     Error error = {""};
-    int count = grade(a, points, results);
+    int count = list_wanted(a, points, results);
     if (count == 0) {
         fprintf(stderr, "judge: there is no step or stage like that; there are");
         for (size_t i = 0; i < STEP_COUNT; i++)
@@ -181,15 +182,17 @@ const char *judge_root = ".";
 // What gives the solutions away. Bubblewrap does not show it; a user of its own could read what is open to all.
 static void hide(GradeOptions *g)
 {
-    const char *const in_root[] = {"solutions", "tests/alternatives", "tests/mistakes", "tests/attacks", ".git"};
-    const char *const in_build[] = {"solutions", "obj/solutions"};
+    const struct {
+        const char *folder, *name;
+    } secrets[] = {{g->root, "solutions"},      {g->root, "tests/alternatives"},
+                   {g->root, "tests/mistakes"}, {g->root, "tests/attacks"},
+                   {g->root, ".git"},           {g->build, "solutions"},
+                   {g->build, "obj/solutions"}};
     int count = 0;
-    for (size_t i = 0; i < sizeof in_root / sizeof *in_root + sizeof in_build / sizeof *in_build; i++) {
-        bool root = i < sizeof in_root / sizeof *in_root;
+    for (size_t i = 0; i < sizeof secrets / sizeof *secrets; i++) {
         char path[4200];
-        snprintf(path, sizeof path, "%s/%s", root ? g->root : g->build,
-                 root ? in_root[i] : in_build[i - sizeof in_root / sizeof *in_root]);
         struct stat state;
+        snprintf(path, sizeof path, "%s/%s", secrets[i].folder, secrets[i].name);
         if (stat(path, &state) == 0)
             g->hidden[count++] = strdup(path);
     }

@@ -64,11 +64,11 @@ static char *clean(const char *text)
 static void print_wrapped(const Terminal *terminal, const char *text)
 {
     char *words = clean(text), *rest = NULL;
-    int column = 0, room = terminal->width - (int)sizeof INDENT + 1;
+    int column = 0, widest = terminal->width - (int)sizeof INDENT + 1;
     fputs(INDENT, stdout);
     for (char *word = strtok_r(words, " \n\t", &rest); word; word = strtok_r(NULL, " \n\t", &rest)) {
         int width = columns_of(word, strlen(word));
-        if (column > 0 && column + 1 + width > room) {
+        if (column > 0 && column + 1 + width > widest) {
             fputs("\n" INDENT, stdout);
             column = 0;
         }
@@ -239,7 +239,7 @@ static void print_sums(const StepResult *results, int count)
 {
     int of[5] = {0}, hidden = 0;
     double points = 0.0, points_max = 0.0;
-    char room[40], most[40];
+    char got[40], most[40];
     for (int i = 0; i < count; i++) {
         hidden += results[i].hidden;
         if (results[i].hidden)
@@ -248,7 +248,7 @@ static void print_sums(const StepResult *results, int count)
         points += results[i].points;
         points_max += results[i].points_max;
     }
-    printf("\n%s of %s points", text_points(points, room, sizeof room), text_points(points_max, most, sizeof most));
+    printf("\n%s of %s points", text_points(points, got, sizeof got), text_points(points_max, most, sizeof most));
     if (hidden > 0)
         printf("; %d hidden step%s graded, too", hidden, hidden == 1 ? " is" : "s are");
     printf("\n%d not started", of[STATUS_TODO]);

@@ -94,7 +94,7 @@ static void lose_helper(Broker *broker)
     broker->socket = -1;
 }
 
-// Waits for room: the helper always listens.
+// Waits until there is space: the helper always listens.
 static bool send_rest(Broker *broker, const char *rest, size_t size)
 {
     while (size > 0) {
@@ -116,7 +116,7 @@ static ssize_t send_with_pipes(Broker *broker, const WireOrder *order, const int
 {
     union {
         struct cmsghdr head;
-        char room[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
+        char bytes[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
     } control;
     size_t size = (size_t)order->workers * sizeof(int);
     struct iovec part = {(void *)order, sizeof *order};

@@ -119,7 +119,7 @@ static bool receive(const Helper *helper, WireOrder *order, int *pipes)
 {
     union { // aligned as a header must be
         struct cmsghdr head;
-        char room[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
+        char bytes[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
     } control;
     struct iovec part = {order, sizeof *order};
     struct msghdr message;

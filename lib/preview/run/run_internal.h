@@ -7,8 +7,8 @@
 // A growing array of what one kind of message brings.
 typedef struct {
     char *bytes;
-    size_t size, room;
-} Heap;
+    size_t size, capacity;
+} Buffer;
 
 // One worker, seen from the window's process.
 typedef struct {
@@ -16,9 +16,9 @@ typedef struct {
     int heart;
     WireHead head;
     size_t head_size; // bytes of the head that have come
-    Heap payload;     // of the message that is coming
+    Buffer payload;   // of the message that is coming
     bool waiting;     // a whole picture whose turn has not come; nothing more is read meanwhile
-    Heap photons, legs, samples;
+    Buffer photons, legs, samples;
     bool done, ended; // said that it was done; its process is gone
     WireDone result;
     int status;
@@ -54,7 +54,7 @@ struct Run {
 // Takes what has come from this part, for a moment at most. True: something was new.
 bool part_read(Run *run, Part *part, double until);
 void part_free(Part *part);
-bool heap_add(Heap *heap, const void *bytes, size_t size);
+bool buffer_add(Buffer *buffer, const void *bytes, size_t size);
 
 // A picture that has come whole. False: its turn has not come.
 bool run_take_picture(Run *run, Part *part);

@@ -7,29 +7,29 @@
 #include <string.h>
 #include <unistd.h>
 
-static bool heap_reserve(Heap *heap, size_t size)
+static bool buffer_reserve(Buffer *buffer, size_t size)
 {
-    if (size <= heap->room)
+    if (size <= buffer->capacity)
         return true;
-    size_t room = heap->room ? heap->room : 4096;
-    while (room < size)
-        room *= 2;
-    char *bytes = realloc(heap->bytes, room);
+    size_t capacity = buffer->capacity ? buffer->capacity : 4096;
+    while (capacity < size)
+        capacity *= 2;
+    char *bytes = realloc(buffer->bytes, capacity);
     if (!bytes)
         return false;
-    heap->bytes = bytes;
-    heap->room = room;
+    buffer->bytes = bytes;
+    buffer->capacity = capacity;
     return true;
 }
 
-bool heap_add(Heap *heap, const void *bytes, size_t size)
+bool buffer_add(Buffer *buffer, const void *bytes, size_t size)
 {
     if (size == 0)
         return true;
-    if (!heap_reserve(heap, heap->size + size))
+    if (!buffer_reserve(buffer, buffer->size + size))
         return false;
-    memcpy(heap->bytes + heap->size, bytes, size);
-    heap->size += size;
+    memcpy(buffer->bytes + buffer->size, bytes, size);
+    buffer->size += size;
     return true;
 }
 
@@ -39,7 +39,7 @@ void part_free(Part *part)
     free(part->photons.bytes);
     free(part->legs.bytes);
     free(part->samples.bytes);
-    part->payload = part->photons = part->legs = part->samples = (Heap){NULL, 0, 0};
+    part->payload = part->photons = part->legs = part->samples = (Buffer){NULL, 0, 0};
 }
 
 // The quick picture, blown up.
@@ -100,14 +100,14 @@ static void take_crash(Failure *failure, const char *bytes)
 
 static bool take_message(Run *run, Part *part)
 {
-    const Heap *payload = &part->payload;
+    const Buffer *payload = &part->payload;
     switch ((WireKind)part->head.kind) {
     case WIRE_PHOTONS:
-        return heap_add(&part->photons, payload->bytes, payload->size);
+        return buffer_add(&part->photons, payload->bytes, payload->size);
     case WIRE_LEGS:
-        return heap_add(&part->legs, payload->bytes, payload->size);
+        return buffer_add(&part->legs, payload->bytes, payload->size);
     case WIRE_SAMPLES:
-        return heap_add(&part->samples, payload->bytes, payload->size);
+        return buffer_add(&part->samples, payload->bytes, payload->size);
     case WIRE_PICTURE:
         part->waiting = payload->size >= sizeof(WirePicture) && !run_take_picture(run, part);
         return true;
@@ -134,13 +134,13 @@ static bool take_message(Run *run, Part *part)
 }
 
 // Where the next bytes go, and how many are wanted; NULL when memory is short or the head makes no sense.
-static char *next_room(Part *part, size_t *size)
+static char *next_place(Part *part, size_t *size)
 {
     if (part->head_size < sizeof part->head) {
         *size = sizeof part->head - part->head_size;
         return (char *)&part->head + part->head_size;
     }
-    if (part->head.bytes > WIRE_MOST_BYTES || !heap_reserve(&part->payload, part->head.bytes))
+    if (part->head.bytes > WIRE_MOST_BYTES || !buffer_reserve(&part->payload, part->head.bytes))
         return NULL;
     *size = part->head.bytes - part->payload.size;
     return part->payload.bytes + part->payload.size;
@@ -164,12 +164,12 @@ bool part_read(Run *run, Part *part, double until)
     bool news = false;
     while (part->pipe >= 0 && !part->waiting && clock_seconds() < until) {
         size_t size;
-        char *room = next_room(part, &size);
-        ssize_t got = room ? read(part->pipe, room, size) : 0;
+        char *capacity = next_place(part, &size);
+        ssize_t got = capacity ? read(part->pipe, capacity, size) : 0;
         if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
             return news;
         if (got <= 0) {
-            run->out_of_memory = run->out_of_memory || !room;
+            run->out_of_memory = run->out_of_memory || !capacity;
             close(part->pipe);
             part->pipe = -1;
             return true;

@@ -56,26 +56,26 @@ void run_describe_oddities(Run *run)
 }
 
 // Part after part: that is the order of the paths. The first part's memory takes the others'.
-static Heap join(Run *run, Heap *(*choose)(Part *))
+static Buffer join(Run *run, Buffer *(*choose)(Part *))
 {
-    Heap whole = *choose(&run->parts[0]);
-    *choose(&run->parts[0]) = (Heap){NULL, 0, 0};
+    Buffer whole = *choose(&run->parts[0]);
+    *choose(&run->parts[0]) = (Buffer){NULL, 0, 0};
     for (int i = 1; i < run->part_count; i++) {
-        Heap *part = choose(&run->parts[i]);
-        if (!heap_add(&whole, part->bytes, part->size))
+        Buffer *part = choose(&run->parts[i]);
+        if (!buffer_add(&whole, part->bytes, part->size))
             break;
         free(part->bytes);
-        *part = (Heap){NULL, 0, 0};
+        *part = (Buffer){NULL, 0, 0};
     }
     return whole;
 }
 
-static Heap *photons_of(Part *part)
+static Buffer *photons_of(Part *part)
 {
     return &part->photons;
 }
 
-static Heap *legs_of(Part *part)
+static Buffer *legs_of(Part *part)
 {
     return &part->legs;
 }
@@ -86,7 +86,7 @@ Recording run_take_recording(Run *run)
     if (run->status.state != RUN_DONE || run->request.kind != RUN_PHOTONS)
         return recording;
     sum_up(run, &recording);
-    Heap photons = join(run, photons_of), legs = join(run, legs_of);
+    Buffer photons = join(run, photons_of), legs = join(run, legs_of);
     recording.photons = (RecordedPhoton *)(void *)photons.bytes;
     recording.count = photons.size / sizeof *recording.photons;
     recording.legs = (PathLeg *)(void *)legs.bytes;
@@ -99,12 +99,12 @@ Recording run_take_recording(Run *run)
 
 static bool copy_parts(const Run *run, Recording *recording)
 {
-    Heap photons = {NULL, 0, 0}, legs = {NULL, 0, 0};
+    Buffer photons = {NULL, 0, 0}, legs = {NULL, 0, 0};
     bool ok = run->parts[0].photons.size > 0; // the first part's books are in by then
     for (int i = 0; ok && i < run->part_count; i++) {
         const Part *part = &run->parts[i];
-        ok = heap_add(&photons, part->photons.bytes, part->photons.size) &&
-             heap_add(&legs, part->legs.bytes, part->legs.size);
+        ok = buffer_add(&photons, part->photons.bytes, part->photons.size) &&
+             buffer_add(&legs, part->legs.bytes, part->legs.size);
     }
     recording->photons = (RecordedPhoton *)(void *)photons.bytes;
     recording->count = photons.size / sizeof *recording->photons;
@@ -138,12 +138,12 @@ bool run_copy_partial(const Run *run, Recording *recording)
 
 LobeSamples run_take_lobe(Run *run)
 {
-    Heap *heap = &run->parts[0].samples;
+    Buffer *buffer = &run->parts[0].samples;
     LobeSamples samples = {NULL, 0};
     if (run->status.state != RUN_DONE || run->request.kind != RUN_LOBE)
         return samples;
-    samples.items = (LobeSample *)(void *)heap->bytes;
-    samples.count = heap->size / sizeof *samples.items;
-    *heap = (Heap){NULL, 0, 0};
+    samples.items = (LobeSample *)(void *)buffer->bytes;
+    samples.count = buffer->size / sizeof *samples.items;
+    *buffer = (Buffer){NULL, 0, 0};
     return samples;
 }

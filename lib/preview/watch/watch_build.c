@@ -108,9 +108,9 @@ void build_stop(Build *build)
 // The first part is kept; the first error counts.
 static void drain(Build *build)
 {
-    char room[4096];
+    char bytes[4096];
     while (build->output >= 0) {
-        ssize_t got = read(build->output, room, sizeof room);
+        ssize_t got = read(build->output, bytes, sizeof bytes);
         if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
             return;
         if (got <= 0) {
@@ -119,7 +119,7 @@ static void drain(Build *build)
         }
         size_t left = sizeof build->text - 1 - build->size;
         size_t kept = (size_t)got < left ? (size_t)got : left;
-        memcpy(build->text + build->size, room, kept);
+        memcpy(build->text + build->size, bytes, kept);
         build->size += kept;
         build->text[build->size] = '\0';
     }

@@ -61,13 +61,13 @@ void watch_take_changes(Watch *watch)
     union {
         struct inotify_event event; // aligned as one must be
         char bytes[8192];
-    } room;
+    } events;
     for (;;) {
-        ssize_t size = watch->inotify >= 0 ? read(watch->inotify, room.bytes, sizeof room.bytes) : 0;
+        ssize_t size = watch->inotify >= 0 ? read(watch->inotify, events.bytes, sizeof events.bytes) : 0;
         if (size <= 0)
             return;
         for (ssize_t at = 0; at < size;) {
-            const struct inotify_event *event = (const struct inotify_event *)(const void *)(room.bytes + at);
+            const struct inotify_event *event = (const struct inotify_event *)(const void *)(events.bytes + at);
             take_change(watch, event);
             at += (ssize_t)(sizeof *event + event->len);
         }

@@ -189,7 +189,7 @@ static bool read_face(Reader *reader)
 static bool read_usemtl(Reader *reader)
 {
     ObjMesh *mesh = reader->mesh;
-    obj_at_line_end(&reader->cursor);
+    obj_skip_blanks(&reader->cursor);
     size_t length = obj_rest_length(&reader->cursor);
     if (length == 0 || length >= sizeof mesh->materials->name || memchr(reader->cursor.at, '\0', length))
         return fault(reader, "usemtl with a name of %zu characters; expected 1 to 63", length);

@@ -11,7 +11,7 @@ static size_t continuation_length(const char *at, const char *end)
     return (size_t)(end - at) >= length && at[length - 1] == '\n' ? length : 0;
 }
 
-bool obj_at_line_end(ObjCursor *cursor)
+void obj_skip_blanks(ObjCursor *cursor)
 {
     while (cursor->at < cursor->end) {
         size_t carried_on = continuation_length(cursor->at, cursor->end);
@@ -20,6 +20,11 @@ bool obj_at_line_end(ObjCursor *cursor)
         cursor->line += carried_on > 0;
         cursor->at += carried_on ? carried_on : 1;
     }
+}
+
+bool obj_at_line_end(ObjCursor *cursor)
+{
+    obj_skip_blanks(cursor);
     return cursor->at == cursor->end || *cursor->at == '\n' || *cursor->at == '#';
 }
 

@@ -11,7 +11,9 @@ typedef struct {
     long line; // from 1
 } ObjCursor;
 
-// Goes over blanks and carried-on lines. Is there nothing more on this line?
+// Goes over blanks and carried-on lines.
+void obj_skip_blanks(ObjCursor *cursor);
+// The same. Is there nothing more on this line?
 bool obj_at_line_end(ObjCursor *cursor);
 // Does a word end here?
 bool obj_at_word_end(const ObjCursor *cursor);

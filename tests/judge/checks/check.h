@@ -23,7 +23,7 @@ extern const char *const check_kind_names[CHECK_KINDS]; // "values", …
 // The cases of one check, in the order they were planned.
 typedef struct {
     char **lines;
-    size_t count, room;
+    size_t count, capacity;
     uint64_t seed; // of this check in this round; case i takes hash_u64(seed + i)
 } Plan;
 

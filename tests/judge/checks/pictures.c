@@ -100,9 +100,9 @@ static void describe_feature(const PictureReference *reference, const PictureSco
                              size_t size)
 {
     static const char *const colours[] = {"red", "green", "blue"};
-    char room[96], amount[64];
+    char words[96], amount[64];
     PicturePlace place = picture_place(feature);
-    const char *part = part_of_picture(place, room, sizeof room);
+    const char *part = part_of_picture(place, words, sizeof words);
     double ratio = score->mean[feature] / reference->mean[feature];
     double percent = 100.0 * fabs(ratio - 1.0);
     if (ratio > 2.5)

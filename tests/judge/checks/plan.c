@@ -20,9 +20,9 @@ static void *must(void *memory)
 
 static size_t plan_line(Plan *plan, char *line)
 {
-    if (plan->count == plan->room) {
-        plan->room = plan->room ? 2 * plan->room : 64;
-        plan->lines = must(realloc(plan->lines, plan->room * sizeof *plan->lines));
+    if (plan->count == plan->capacity) {
+        plan->capacity = plan->capacity ? 2 * plan->capacity : 64;
+        plan->lines = must(realloc(plan->lines, plan->capacity * sizeof *plan->lines));
     }
     plan->lines[plan->count] = line;
     return plan->count++;
@@ -35,28 +35,28 @@ static uint64_t next_seed(const Plan *plan)
 
 size_t plan_call(Plan *plan, long count, const double *arguments, size_t argument_count)
 {
-    size_t room = 64 + 32 * argument_count;
-    char *line = must(malloc(room));
-    int length = snprintf(line, room, "call %ld %llu", count, (unsigned long long)next_seed(plan));
+    size_t size = 64 + 32 * argument_count;
+    char *line = must(malloc(size));
+    int length = snprintf(line, size, "call %ld %llu", count, (unsigned long long)next_seed(plan));
     for (size_t i = 0; i < argument_count; i++)
-        length += snprintf(line + length, room - (size_t)length, " %.9g", arguments[i]);
+        length += snprintf(line + length, size - (size_t)length, " %.9g", arguments[i]);
     return plan_line(plan, line);
 }
 
 size_t plan_paths(Plan *plan, const char *scene, long photons, long batches, int depth, const char *steps_text)
 {
-    size_t room = strlen(scene) + strlen(steps_text) + 128;
-    char *line = must(malloc(room));
-    snprintf(line, room, "paths %s %ld %ld %d %s %llu", scene, photons, batches, depth, steps_text,
+    size_t size = strlen(scene) + strlen(steps_text) + 128;
+    char *line = must(malloc(size));
+    snprintf(line, size, "paths %s %ld %ld %d %s %llu", scene, photons, batches, depth, steps_text,
              (unsigned long long)next_seed(plan));
     return plan_line(plan, line);
 }
 
 size_t plan_picture(Plan *plan, const char *scene, int side, long photons, int k, int depth, const char *steps_text)
 {
-    size_t room = strlen(scene) + strlen(steps_text) + 128;
-    char *line = must(malloc(room));
-    snprintf(line, room, "picture %s %d %d %ld %d %d %s %llu", scene, side, side, photons, k, depth, steps_text,
+    size_t size = strlen(scene) + strlen(steps_text) + 128;
+    char *line = must(malloc(size));
+    snprintf(line, size, "picture %s %d %d %ld %d %d %s %llu", scene, side, side, photons, k, depth, steps_text,
              (unsigned long long)next_seed(plan));
     return plan_line(plan, line);
 }

@@ -18,9 +18,9 @@
 
 void signature_add(Signature *signature, const char *check, Feature feature)
 {
-    if (signature->count == signature->room) {
-        signature->room = signature->room ? 2 * signature->room : 64;
-        NamedFeature *more = realloc(signature->features, (size_t)signature->room * sizeof *more);
+    if (signature->count == signature->capacity) {
+        signature->capacity = signature->capacity ? 2 * signature->capacity : 64;
+        NamedFeature *more = realloc(signature->features, (size_t)signature->capacity * sizeof *more);
         if (!more)
             exit(3);
         signature->features = more;
@@ -69,13 +69,13 @@ bool signature_read(FILE *stream, Signature *signature)
     static const char blanks[] = " \n";
     *signature = (Signature){.count = 0};
     char *line = NULL;
-    size_t room = 0;
-    bool ok = getline(&line, &room, stream) > 0 && sscanf(line, "%7s %63s", signature->step, signature->name) == 2 &&
-              getline(&line, &room, stream) > 0;
+    size_t capacity = 0;
+    bool ok = getline(&line, &capacity, stream) > 0 &&
+              sscanf(line, "%7s %63s", signature->step, signature->name) == 2 && getline(&line, &capacity, stream) > 0;
     if (ok) {
         line[strcspn(line, "\n")] = '\0';
         snprintf(signature->text, sizeof signature->text, "%s", line);
-        ok = getline(&line, &room, stream) > 0;
+        ok = getline(&line, &capacity, stream) > 0;
     }
     for (char *rest = ok ? line + strspn(line, blanks) : NULL; ok && *rest;) {
         char *word = rest;

@@ -20,7 +20,7 @@ typedef struct {
 typedef struct {
     char step[8], name[64], text[300];
     NamedFeature *features;
-    int count, room;
+    int count, capacity;
 } Signature;
 
 void signature_add(Signature *signature, const char *check, Feature feature);

@@ -176,7 +176,7 @@ static Status confirm(const GradeOptions *options, const StepChecks *checks, Ste
 }
 
 // The first failure's words stand for the step: checks go from what is simple to what is not.
-static void sum_up(StepResult *result)
+static void take_first_failure(StepResult *result)
 {
     for (int i = 0; i < result->check_count; i++) {
         const CheckResult *check = &result->checks[i];
@@ -226,7 +226,7 @@ void grade_step(const GradeOptions *options, const StepInfo *step, StepResult *r
     if (result->status == STATUS_PASS && !options->first_round_only && needs_confirmation(result))
         result->status = confirm(options, checks, result);
     if (result->status == STATUS_PASS)
-        sum_up(result);
+        take_first_failure(result);
     if (result->status == STATUS_FAIL)
         diagnose(options, result);
     write_failing(options, result);

@@ -19,7 +19,7 @@
 // Results on their way out.
 typedef struct {
     float *values;
-    size_t count, room;
+    size_t count, capacity;
     bool out_of_memory;
 } ProbeOutput;
 

@@ -7,14 +7,14 @@
 
 void probe_put(ProbeOutput *output, float value)
 {
-    if (output->count == output->room) {
-        size_t room = output->room ? 2 * output->room : 1024;
-        float *values = realloc(output->values, room * sizeof *values);
+    if (output->count == output->capacity) {
+        size_t capacity = output->capacity ? 2 * output->capacity : 1024;
+        float *values = realloc(output->values, capacity * sizeof *values);
         output->out_of_memory = output->out_of_memory || !values;
         if (!values)
             return;
         output->values = values;
-        output->room = room;
+        output->capacity = capacity;
     }
     output->values[output->count++] = value;
 }

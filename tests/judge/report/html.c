@@ -6,8 +6,8 @@
 
 static void write_points(double points, double points_max, FILE *stream)
 {
-    char room[40], most[40];
-    fprintf(stream, "<b>%s</b> of %s points", text_points(points, room, sizeof room),
+    char got[40], most[40];
+    fprintf(stream, "<b>%s</b> of %s points", text_points(points, got, sizeof got),
             text_points(points_max, most, sizeof most));
 }
 
@@ -111,9 +111,9 @@ static void write_head(const Report *report, const ReportSums *sums, FILE *strea
     write_strip(report, stream);
     write_next(report, sums, stream);
     if (sums->hidden > 0) {
-        char room[40];
+        char got[40];
         fprintf(stream, "<p class=\"note\">%zu hidden step%s graded, too; worth %s more points.</p>\n", sums->hidden,
-                sums->hidden == 1 ? " is" : "s are", text_points(sums->hidden_points_max, room, sizeof room));
+                sums->hidden == 1 ? " is" : "s are", text_points(sums->hidden_points_max, got, sizeof got));
     }
     if (!report->credit)
         fputs("<p class=\"note warning\">Not for credit: the code ran without a sandbox.</p>\n", stream);

@@ -80,7 +80,7 @@ static char *png_of(const Report *report, const Image *image, size_t *size, Erro
             bytes = file_read(path, (size_t)1 << 28, size, error);
         remove(path);
     } else {
-        error_set(error, "%s: no room for a picture", report->directory);
+        error_set(error, "%s: no space for a picture", report->directory);
     }
     free(path);
     return bytes;

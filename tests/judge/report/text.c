@@ -150,13 +150,13 @@ void text_base64(FILE *stream, const unsigned char *bytes, size_t size)
     }
 }
 
-const char *text_points(double points, char *room, size_t size)
+const char *text_points(double points, char *words, size_t size)
 {
-    snprintf(room, size, "%.2f", points);
-    char *end = room + strlen(room) - 1;
+    snprintf(words, size, "%.2f", points);
+    char *end = words + strlen(words) - 1;
     while (*end == '0')
         *end-- = '\0';
     if (*end == '.')
         *end = '\0';
-    return room;
+    return words;
 }

@@ -17,7 +17,7 @@ void text_markup(FILE *stream, const char *text); // with &lt; and so on, for HT
 void text_quoted(FILE *stream, const char *text); // "…" as YAML has it, on one line
 void text_base64(FILE *stream, const unsigned char *bytes, size_t size);
 
-// Points without needless zeros: "6", "2.5". Returns `room`.
-const char *text_points(double points, char *room, size_t size);
+// Points without needless zeros: "6", "2.5". Returns `words`.
+const char *text_points(double points, char *words, size_t size);
 
 #endif

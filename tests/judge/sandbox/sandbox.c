@@ -75,12 +75,15 @@ static void clear(SandboxKind kind, const SandboxRun *run, Launch *launch)
 static pid_t start(SandboxKind kind, const SandboxRun *run, const Launch *launch, int *out, Error *error)
 {
     int printed[2], complaints[2];
-    if (pipe2(printed, O_CLOEXEC) != 0)
-        return error_set(error, "pipe: %s", strerror(errno)) ? 0 : -1;
+    if (pipe2(printed, O_CLOEXEC) != 0) {
+        error_set(error, "pipe: %s", strerror(errno));
+        return -1;
+    }
     if (pipe2(complaints, O_CLOEXEC) != 0) {
+        error_set(error, "pipe: %s", strerror(errno));
         close(printed[0]);
         close(printed[1]);
-        return error_set(error, "pipe: %s", strerror(errno)) ? 0 : -1;
+        return -1;
     }
     pid_t child = fork();
     int reason = errno;
@@ -110,14 +113,14 @@ static pid_t start(SandboxKind kind, const SandboxRun *run, const Launch *launch
 // Keeps the end of what is printed.
 static void keep(SandboxResult *result, size_t *used, const char *bytes, size_t count)
 {
-    size_t room = sizeof result->text - 1;
-    size_t surplus = *used + count > room ? *used + count - room : 0;
+    size_t most = sizeof result->text - 1;
+    size_t surplus = *used + count > most ? *used + count - most : 0;
     if (surplus > 0) {
         surplus = surplus < *used ? surplus : *used;
         memmove(result->text, result->text + surplus, *used - surplus);
         *used -= surplus;
     }
-    memcpy(result->text + *used, bytes, count); // at most a chunk, which is smaller than the room
+    memcpy(result->text + *used, bytes, count); // at most a chunk, which is smaller than that
     *used += count;
     result->text[*used] = '\0';
     result->printed += count;

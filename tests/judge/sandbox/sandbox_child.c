@@ -21,14 +21,14 @@ enum { RESULT_FD = 3, FILTER_FD = 4, COMPLAINT_FD = 5, FIRST_OTHER_FD = 6 };
 
 void words_add(Words *words, const char *format, ...)
 {
-    if (words->count + 1 >= words->room) {
-        size_t room = words->room ? 2 * words->room : 64;
-        char **list = realloc(words->list, room * sizeof *list);
+    if (words->count + 1 >= words->capacity) {
+        size_t capacity = words->capacity ? 2 * words->capacity : 64;
+        char **list = realloc(words->list, capacity * sizeof *list);
         words->out_of_memory = words->out_of_memory || !list;
         if (!list)
             return;
         words->list = list;
-        words->room = room;
+        words->capacity = capacity;
     }
     va_list arguments, again;
     va_start(arguments, format);

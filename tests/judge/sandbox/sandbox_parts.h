@@ -9,7 +9,7 @@
 // A list that owns its words and ends with NULL, as execve takes it.
 typedef struct {
     char **list;
-    size_t count, room;
+    size_t count, capacity;
     bool out_of_memory;
 } Words;
 
@@ -24,7 +24,7 @@ typedef struct {
     size_t filter_size;        // bytes
     uid_t uid;                 // also its group; 0: stays who it is
     int uid_lock;              // held while the uid is in use
-    char room[64];             // SANDBOX_UID: a directory with copies of what only root may read; "" if none
+    char folder[64];           // SANDBOX_UID: a directory with copies of what only root may read; "" if none
     Words readable;            // must be readable as this uid
     const char *const *hidden; // must not be
 } Launch;
@@ -53,11 +53,11 @@ bool sandbox_filter_enter(const Launch *launch);
 // Arguments of bwrap around those of the run.
 bool sandbox_bubblewrap(const SandboxRun *run, Launch *launch, Error *error);
 
-// A free uid, and a room with copies of what is visible but closed to others.
+// A free uid, and a folder with copies of what is visible but closed to others.
 bool sandbox_uid_prepare(const SandboxRun *run, Launch *launch, Error *error);
 // In the child: becomes that user. Returns NULL, or what must be done about it, with the path in question.
 const char *sandbox_uid_enter(const Launch *launch, const char **path);
-// Ends whatever still runs as this user, takes the written files over, clears the room.
+// Ends whatever still runs as this user, takes the written files over, clears the folder.
 void sandbox_uid_finish(const SandboxRun *run, Launch *launch);
 
 #endif

@@ -1,8 +1,8 @@
 // Without namespaces, as root: the program runs as a user that nobody is, and that no other run has at the same time.
-// What it must not read is closed to others by the file system; what it may read of that is copied to a room of its own.
+// What it must not read is closed to others by the file system; what it may read of that is copied to a folder of its own.
 #define _GNU_SOURCE // setresuid, setgroups
 #include "judge/sandbox/sandbox_parts.h"
-#include "judge/sandbox/sandbox_room.h"
+#include "judge/sandbox/sandbox_folder.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -46,32 +46,32 @@ static bool is_below(const char *path, const char *top)
 static bool needs_copies(const SandboxRun *run)
 {
     for (int i = 0; i < MOST_VISIBLE && run->visible[i]; i++)
-        if (!room_is_open(run->visible[i]))
+        if (!folder_is_open(run->visible[i]))
             return true;
     return false;
 }
 
-// Where the program finds what an argument names: in the room, when it, or something in it or above it, was copied.
+// Where the program finds what an argument names: in the folder, when it, or something in it or above it, was copied.
 static void add_argument(const SandboxRun *run, Launch *launch, const bool *copied, const char *argument)
 {
     const char *path = strncmp(argument, "-I", 2) == 0 ? argument + 2 : argument;
     bool moved = run->writable && is_below(path, run->writable);
     for (int i = 0; path[0] == '/' && i < MOST_VISIBLE && run->visible[i]; i++)
         moved = moved || (copied[i] && (is_below(path, run->visible[i]) || is_below(run->visible[i], path)));
-    words_add(&launch->arguments, "%.*s%s%s", (int)(path - argument), argument, moved ? launch->room : "", path);
+    words_add(&launch->arguments, "%.*s%s%s", (int)(path - argument), argument, moved ? launch->folder : "", path);
 }
 
-static bool fill_room(const SandboxRun *run, Launch *launch, bool *copied, Error *error)
+static bool fill_folder(const SandboxRun *run, Launch *launch, bool *copied, Error *error)
 {
     bool closed = needs_copies(run);
     for (int i = 0; i < MOST_VISIBLE && run->visible[i]; i++) {
         copied[i] = closed && access(run->visible[i], F_OK) == 0;
-        if (copied[i] && !room_copy(launch->room, run->visible[i], 0, launch->uid, error))
+        if (copied[i] && !folder_copy(launch->folder, run->visible[i], 0, launch->uid, error))
             return false;
         if (access(run->visible[i], F_OK) == 0)
-            words_add(&launch->readable, "%s%s", copied[i] ? launch->room : "", run->visible[i]);
+            words_add(&launch->readable, "%s%s", copied[i] ? launch->folder : "", run->visible[i]);
     }
-    return !run->writable || room_copy(launch->room, run->writable, launch->uid, launch->uid, error);
+    return !run->writable || folder_copy(launch->folder, run->writable, launch->uid, launch->uid, error);
 }
 
 bool sandbox_uid_prepare(const SandboxRun *run, Launch *launch, Error *error)
@@ -83,7 +83,8 @@ bool sandbox_uid_prepare(const SandboxRun *run, Launch *launch, Error *error)
     if (launch->uid_lock < 0)
         return error_set(error, "no user is free to run the code as");
     bool copied[MOST_VISIBLE] = {false};
-    if (!room_open(launch->room, sizeof launch->room, launch->uid, error) || !fill_room(run, launch, copied, error))
+    if (!folder_open(launch->folder, sizeof launch->folder, launch->uid, error) ||
+        !fill_folder(run, launch, copied, error))
         return false;
     char *program = sandbox_find_program(run->arguments[0]);
     if (!program)
@@ -92,7 +93,7 @@ bool sandbox_uid_prepare(const SandboxRun *run, Launch *launch, Error *error)
     free(program);
     for (const char *const *word = run->arguments + 1; *word; word++)
         add_argument(run, launch, copied, *word);
-    words_add(&launch->environment, "TMPDIR=%s%s", launch->room, run->writable ? run->writable : "");
+    words_add(&launch->environment, "TMPDIR=%s%s", launch->folder, run->writable ? run->writable : "");
     launch->hidden = run->hidden;
     return sandbox_filter_read(launch, error);
 }
@@ -135,8 +136,8 @@ void sandbox_uid_finish(const SandboxRun *run, Launch *launch)
     if (launch->uid_lock < 0)
         return;
     end_all(launch->uid);
-    if (run->writable && launch->room[0])
-        room_take_back(launch->room, run->writable);
-    room_close(launch->room);
+    if (run->writable && launch->folder[0])
+        folder_take_back(launch->folder, run->writable);
+    folder_close(launch->folder);
     close(launch->uid_lock);
 }

@@ -20,7 +20,7 @@
 
 #include <cmocka.h>
 
-static char self[4096], room[256], secret[300], open_file[300];
+static char self[4096], folder[256], secret[300], open_file[300];
 
 // ---- inside ----
 
@@ -288,11 +288,11 @@ int main(int count, char **arguments)
     if (count > 4)
         return 2;
     ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
-    snprintf(room, sizeof room, "/tmp/photonlab-test-XXXXXX");
-    if (length <= 0 || !mkdtemp(room) || chmod(room, 0755) != 0)
+    snprintf(folder, sizeof folder, "/tmp/photonlab-test-XXXXXX");
+    if (length <= 0 || !mkdtemp(folder) || chmod(folder, 0755) != 0)
         return 3;
-    snprintf(secret, sizeof secret, "%s/secret", room);
-    snprintf(open_file, sizeof open_file, "%s/open", room);
+    snprintf(secret, sizeof secret, "%s/secret", folder);
+    snprintf(open_file, sizeof open_file, "%s/open", folder);
     write_file(secret, 0600);
     write_file(open_file, 0644);
     setenv("PHOTONLAB_TEST_LEAK", "1", 1);
@@ -302,6 +302,6 @@ int main(int count, char **arguments)
             failed += test_kind();
     unlink(secret);
     unlink(open_file);
-    rmdir(room);
+    rmdir(folder);
     return failed > 0;
 }

@@ -1,5 +1,5 @@
 #define _GNU_SOURCE // O_DIRECTORY, O_NOFOLLOW, O_PATH
-#include "judge/sandbox/sandbox_room.h"
+#include "judge/sandbox/sandbox_folder.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -12,14 +12,14 @@
 
 #define MOST_DEPTH 16
 
-bool room_open(char *room, size_t size, gid_t group, Error *error)
+bool folder_open(char *folder, size_t size, gid_t group, Error *error)
 {
     const char *temporary = getenv("TMPDIR");
     bool usable = temporary && temporary[0] == '/' && strlen(temporary) + 24 < size;
-    snprintf(room, size, "%s/photonlab-room-XXXXXX", usable ? temporary : "/tmp");
-    if (!mkdtemp(room) || chown(room, 0, group) != 0 || chmod(room, 0750) != 0) {
-        error_set(error, "%s: %s", room, strerror(errno));
-        room[0] = '\0';
+    snprintf(folder, size, "%s/photonlab-XXXXXX", usable ? temporary : "/tmp");
+    if (!mkdtemp(folder) || chown(folder, 0, group) != 0 || chmod(folder, 0750) != 0) {
+        error_set(error, "%s: %s", folder, strerror(errno));
+        folder[0] = '\0';
         return false;
     }
     return true;
@@ -30,7 +30,7 @@ static bool copy_bytes(int from, int to)
     char bytes[1 << 14];
     long copied = 0;
     for (ssize_t got; (got = read(from, bytes, sizeof bytes)) != 0; copied += got)
-        if (got < 0 || copied > ROOM_MOST_BYTES || write(to, bytes, (size_t)got) != got)
+        if (got < 0 || copied > FOLDER_MOST_BYTES || write(to, bytes, (size_t)got) != got)
             return false;
     return true;
 }
@@ -39,14 +39,14 @@ static bool copy_bytes(int from, int to)
 static int open_plain(int directory, const char *name, struct stat *state)
 {
     int fd = openat(directory, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (fd >= 0 && fstat(fd, state) == 0 && S_ISREG(state->st_mode) && state->st_size <= ROOM_MOST_BYTES)
+    if (fd >= 0 && fstat(fd, state) == 0 && S_ISREG(state->st_mode) && state->st_size <= FOLDER_MOST_BYTES)
         return fd;
     if (fd >= 0)
         close(fd);
     return -1;
 }
 
-// A file that others may read, and only root may write, needs no copy: a second name for it will do, where the room lies in
+// A file that others may read, and only root may write, needs no copy: a second name for it will do, where the folder lies in
 // the same file system. Thousands of files a minute, made and deleted, are slow on ext4.
 static bool link_file(const struct stat *state, int from_directory, const char *name, int to_directory,
                       const char *to_name)
@@ -118,12 +118,12 @@ static bool copy_all(int from, int to, uid_t writer, gid_t group, int depth)
     return ok;
 }
 
-// room/path's directories, down to the one that holds its last name; that directory, open, or −1.
-static int make_way(const char *room, const char *path, gid_t group)
+// folder/path's directories, down to the one that holds its last name; that directory, open, or −1.
+static int make_way(const char *folder, const char *path, gid_t group)
 {
     char names[4096];
     snprintf(names, sizeof names, "%s", path);
-    int at = open(room, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    int at = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     char *name = names + strspn(names, "/");
     for (char *slash; at >= 0 && (slash = strchr(name, '/')); name = slash + 1) {
         *slash = '\0';
@@ -134,11 +134,11 @@ static int make_way(const char *room, const char *path, gid_t group)
     return at;
 }
 
-bool room_copy(const char *room, const char *path, uid_t writer, gid_t group, Error *error)
+bool folder_copy(const char *folder, const char *path, uid_t writer, gid_t group, Error *error)
 {
     struct stat state;
     const char *name = strrchr(path, '/') + 1;
-    int parent = make_way(room, path, group);
+    int parent = make_way(folder, path, group);
     bool ok = parent >= 0 && stat(path, &state) == 0;
     if (ok && S_ISDIR(state.st_mode))
         ok = make_directory(parent, name, writer, group) &&
@@ -147,13 +147,13 @@ bool room_copy(const char *room, const char *path, uid_t writer, gid_t group, Er
         ok = copy_file(AT_FDCWD, path, parent, name, writer, group);
     if (parent >= 0)
         close(parent);
-    return ok || error_set(error, "%s: cannot be copied to %s: %s", path, room, strerror(errno));
+    return ok || error_set(error, "%s: cannot be copied to %s: %s", path, folder, strerror(errno));
 }
 
-void room_take_back(const char *room, const char *path)
+void folder_take_back(const char *folder, const char *path)
 {
     char copy[4096];
-    snprintf(copy, sizeof copy, "%s%s", room, path);
+    snprintf(copy, sizeof copy, "%s%s", folder, path);
     int from = open(copy, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     int to = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     DIR *listing = from >= 0 ? fdopendir(from) : NULL;
@@ -181,12 +181,12 @@ static void remove_all(int directory, int depth)
         closedir(listing);
 }
 
-void room_close(const char *room)
+void folder_close(const char *folder)
 {
-    if (!room[0])
+    if (!folder[0])
         return;
-    remove_all(open(room, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC), 0);
-    rmdir(room);
+    remove_all(open(folder, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC), 0);
+    rmdir(folder);
 }
 
 static bool all_open(int directory, int depth)
@@ -209,7 +209,7 @@ static bool all_open(int directory, int depth)
     return ok;
 }
 
-bool room_is_open(const char *path)
+bool folder_is_open(const char *path)
 {
     char part[4096];
     struct stat state;
