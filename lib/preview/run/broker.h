@@ -2,6 +2,7 @@
 #ifndef PHOTONLAB_PREVIEW_BROKER_H
 #define PHOTONLAB_PREVIEW_BROKER_H
 
+#include "base/process.h"
 #include "preview/run/wire.h"
 
 // Who beats a heart.
@@ -45,8 +46,8 @@ typedef struct {
     const char *code_source;
 } Failure;
 
-// Starts to look for function and line, by a program of its own; −1 when there is nothing to look for.
-int failure_look_up(const Failure *failure, pid_t *looker);
+// Starts to look for function and line, by a program of its own. False when there is nothing to look for.
+bool failure_look_up(const Failure *failure, Process *looker);
 // `found`: what that program printed, "" without it.
 void failure_describe(const Failure *failure, const char *found, char *text, size_t size);
 

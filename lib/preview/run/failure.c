@@ -1,22 +1,16 @@
 // Why a worker failed, in one sentence for the student.
-#define _GNU_SOURCE
 #include "preview/run/broker.h"
 #include "base/crash_words.h"
 #include "base/file.h"
 #include "base/text.h"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #define MOST_PLACES 16
-
-extern char **environ;
 
 typedef struct {
     char file[256]; // "1.3_scatter_diffuse.c"; "" when no place in the student's code is known
@@ -34,29 +28,12 @@ static void source_of(const char *object, char *file, size_t size)
     snprintf(file, size, "%.*s.c", (int)(length < 200 ? length : 200), name);
 }
 
-int failure_look_up(const Failure *failure, pid_t *looker)
+bool failure_look_up(const Failure *failure, Process *looker)
 {
-    int ends[2];
-    if (!failure->has_crash || !failure->crash.object[0] || pipe(ends) != 0)
-        return -1;
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[0], F_SETFL, O_NONBLOCK);
     char offset[32];
     snprintf(offset, sizeof offset, "0x%llx", failure->crash.offset);
-    char *const arguments[] = {"addr2line", "-f", "-i", "-e", (char *)failure->crash.object, offset, NULL};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    int failed = posix_spawnp(looker, "addr2line", &actions, NULL, arguments, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
-    if (!failed)
-        return ends[0];
-    close(ends[0]);
-    return -1;
+    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", failure->crash.object, offset, NULL};
+    return failure->has_crash && failure->crash.object[0] && process_start(looker, arguments, PRINTS_OUTPUT);
 }
 
 // A place in a header is the library's, built into the step.

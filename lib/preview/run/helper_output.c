@@ -1,7 +1,7 @@
 #include "preview/run/helper_output.h"
+#include "base/process.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -10,11 +10,8 @@ void output_open(HelperOutput *output)
 {
     int ends[2];
     *output = (HelperOutput){.read = -1, .write = -1};
-    if (pipe(ends) != 0)
+    if (!pipe_open(ends))
         return;
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[0], F_SETFL, O_NONBLOCK);
     output->read = ends[0];
     output->write = ends[1];
 }

@@ -64,7 +64,7 @@ void run_free(Run *run)
     if (!run)
         return;
     run_end_workers(run);
-    run_end_look_up(run);
+    process_kill(&run->looker);
     Run **link = &run->broker->runs;
     while (*link != run)
         link = &(*link)->next;
@@ -177,8 +177,8 @@ void run_wait(Run *run, double seconds)
     nfds_t count = 0;
     if (run->broker->socket >= 0)
         watched[count++] = (struct pollfd){run->broker->socket, POLLIN, 0};
-    if (run->look_up >= 0)
-        watched[count++] = (struct pollfd){run->look_up, POLLIN, 0};
+    if (run->looker.output >= 0)
+        watched[count++] = (struct pollfd){run->looker.output, POLLIN, 0};
     for (int i = 0; i < run->part_count; i++)
         if (run->parts[i].pipe >= 0 && !run->parts[i].waiting)
             watched[count++] = (struct pollfd){run->parts[i].pipe, POLLIN, 0};

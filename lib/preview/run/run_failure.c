@@ -1,31 +1,16 @@
 // From the first sign that a run failed to the sentence for the student.
-#define _GNU_SOURCE
 #include "preview/run/run_internal.h"
 #include "base/parallel.h"
 
-#include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #define LONGEST_LOOK_UP 1.0 // s
 
-void run_end_look_up(Run *run)
-{
-    if (run->look_up < 0)
-        return;
-    close(run->look_up);
-    run->look_up = -1;
-    kill(run->looker, SIGKILL);
-    while (waitpid(run->looker, NULL, 0) < 0 && errno == EINTR) {
-    }
-}
-
 static void finish_failure(Run *run)
 {
-    run_end_look_up(run);
+    process_kill(&run->looker);
     failure_describe(&run->failure, run->found, run->status.failure, sizeof run->status.failure);
     run->status.state = RUN_FAILED;
     run->status.news = true;
@@ -38,19 +23,15 @@ static void begin_failure(Run *run)
     run->failure.patience = run->patience;
     run->failure.kind = run->request.kind;
     run->failure.code_source = run->broker->code_source;
-    run->look_up = run->failure.words ? -1 : failure_look_up(&run->failure, &run->looker);
     run->look_until = clock_seconds() + LONGEST_LOOK_UP;
-    if (run->look_up < 0)
+    if (run->failure.words || !failure_look_up(&run->failure, &run->looker))
         finish_failure(run);
 }
 
 void run_go_on_with_failure(Run *run)
 {
-    ssize_t got = read(run->look_up, run->found + run->found_size, sizeof run->found - 1 - run->found_size);
-    if (got > 0)
-        run->found_size += (size_t)got;
-    bool more = got > 0 || (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR));
-    if (!more || clock_seconds() > run->look_until)
+    process_read(&run->looker, run->found, sizeof run->found, &run->found_size);
+    if (run->looker.output < 0 || clock_seconds() > run->look_until)
         finish_failure(run);
 }
 

@@ -41,8 +41,7 @@ struct Run {
     Failure failure; // while it is looked up, and after
     bool failing;
     char words[1024];
-    int look_up; // the pipe of the program that looks; −1: none
-    pid_t looker;
+    Process looker; // the program that looks
     double look_until;
     char found[2048];
     size_t found_size;
@@ -66,6 +65,5 @@ void run_end_workers(Run *run);
 // Looks whether a part has failed, and then ends the others. The sentence may take a few more polls.
 void run_look_for_failure(Run *run);
 void run_go_on_with_failure(Run *run);
-void run_end_look_up(Run *run);
 
 #endif

@@ -61,14 +61,11 @@ static bool open_pipes(Run *run, int *write_ends)
 {
     for (int i = 0; i < run->part_count; i++) {
         int ends[2];
-        if (pipe(ends) != 0) {
+        if (!pipe_open(ends)) {
             while (i-- > 0)
                 close(write_ends[i]);
             return false;
         }
-        fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-        fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-        fcntl(ends[0], F_SETFL, O_NONBLOCK);
 #ifdef F_SETPIPE_SZ
         fcntl(ends[0], F_SETPIPE_SZ, 1 << 20);
 #endif
@@ -130,7 +127,7 @@ Run *run_start(Broker *broker, const RunRequest *request, Error *error)
     run->request = *request;
     run->part_count = count_workers(broker, request);
     run->started = clock_seconds();
-    run->look_up = -1;
+    run->looker.output = -1;
     run_patience(run, PATIENCE);
     for (int i = 0; i < MOST_WORKERS; i++)
         run->parts[i].pipe = -1;

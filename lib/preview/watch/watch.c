@@ -99,7 +99,7 @@ Watch *watch_start(const char *source, const char *objects, const char *command,
     watch->command = strcpy(copy, command);
     strcpy(watch->source, source);
     strcpy(watch->objects, objects);
-    watch->inotify = watch->build.output = -1;
+    watch->inotify = watch->build.compiler.output = -1;
     watch_start_listening(watch);
     for (size_t i = 0; i < STEP_COUNT; i++) {
         watch->files[i].print = watch_take_print(watch, i);
@@ -195,9 +195,9 @@ WatchEvent watch_poll(Watch *watch)
     bool ok;
     watch_take_changes(watch);
     look_at_times(watch);
-    if (watch->build.pid > 0 && watch->files[watch->building].dirty)
+    if (watch->build.compiler.pid > 0 && watch->files[watch->building].dirty)
         build_stop(&watch->build); // what it would make is out of date
-    if (watch->build.pid > 0)
+    if (watch->build.compiler.pid > 0)
         return build_poll(&watch->build, &ok) ? end_build(watch, ok) : WATCH_NOTHING;
     if (watch->stray[0])
         return tell_of_stray(watch);
@@ -208,13 +208,13 @@ void watch_wait(Watch *watch, double seconds)
 {
     double left = watch->looked + (watch->inotify >= 0 ? LOOK_BESIDE : LOOK_ALONE) - clock_seconds();
     seconds = left < seconds ? left : seconds;
-    for (size_t i = 0; i < STEP_COUNT && watch->build.pid <= 0; i++)
+    for (size_t i = 0; i < STEP_COUNT && watch->build.compiler.pid <= 0; i++)
         if (watch->files[i].dirty && time_left(&watch->files[i]) < seconds)
             seconds = time_left(&watch->files[i]);
-    if (watch->build.pid > 0 && watch->build.output < 0)
+    if (watch->build.compiler.pid > 0 && watch->build.compiler.output < 0)
         seconds = seconds < 0.005 ? seconds : 0.005; // it has nothing more to say, and is about to end
     struct pollfd watched[2] = {{watch->inotify, POLLIN, 0},
-                                {watch->build.pid > 0 ? watch->build.output : -1, POLLIN, 0}};
+                                {watch->build.compiler.pid > 0 ? watch->build.compiler.output : -1, POLLIN, 0}};
     poll(watched, 2, seconds > 0.0 ? (int)(1e3 * seconds + 0.999) : 0);
 }
 

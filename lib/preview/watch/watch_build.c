@@ -1,58 +1,13 @@
-#define _GNU_SOURCE // environ
 #include "preview/watch/watch_build.h"
 #include "base/parallel.h"
 
 #include <errno.h>
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #define LONGEST 60.0 // s; what the compiler is given
-
-extern char **environ;
-
-// The environment with LC_ALL=C: messages are looked through for English words.
-static char **english_environment(void)
-{
-    size_t count = 0, kept = 0;
-    while (environ[count])
-        count++;
-    char **copy = calloc(count + 2, sizeof *copy);
-    if (!copy)
-        return NULL;
-    for (size_t i = 0; i < count; i++)
-        if (strncmp(environ[i], "LC_ALL=", 7) != 0)
-            copy[kept++] = environ[i];
-    copy[kept] = "LC_ALL=C";
-    return copy;
-}
-
-static int spawn_shell(Build *build, int output, const char *command, const char *source, const char *object)
-{
-    char *const arguments[] = {"sh", "-c", (char *)command, "sh", (char *)source, (char *)object, NULL};
-    char **environment = english_environment();
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    int failed =
-        posix_spawn(&build->pid, "/bin/sh", &actions, &attributes, arguments, environment ? environment : environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    free(environment);
-    return failed;
-}
 
 static void make_folder_of(const char *object)
 {
@@ -66,71 +21,27 @@ static void make_folder_of(const char *object)
 
 bool build_start(Build *build, const char *command, const char *source, const char *object, Error *error)
 {
-    int ends[2];
+    const char *const arguments[] = {"/bin/sh", "-c", command, "sh", source, object, NULL};
     make_folder_of(object);
-    if (pipe(ends) != 0)
-        return error_set(error, "no pipe for the compiler: %s", strerror(errno));
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[0], F_SETFL, O_NONBLOCK);
-    int failed = spawn_shell(build, ends[1], command, source, object);
-    close(ends[1]);
-    if (failed) {
-        close(ends[0]);
-        build->pid = 0;
-        return error_set(error, "cannot start the compiler: %s", strerror(failed));
-    }
-    build->output = ends[0];
     build->started = clock_seconds();
     build->size = 0;
     build->text[0] = '\0';
-    return true;
-}
-
-static void close_output(Build *build)
-{
-    if (build->output >= 0)
-        close(build->output);
-    build->output = -1;
+    return process_start(&build->compiler, arguments, PRINTS_ALL) ||
+           error_set(error, "cannot start the compiler: %s", strerror(errno));
 }
 
 void build_stop(Build *build)
 {
-    if (build->pid <= 0)
-        return;
-    kill(-build->pid, SIGKILL);
-    while (waitpid(build->pid, NULL, 0) < 0 && errno == EINTR) {
-    }
-    build->pid = 0;
-    close_output(build);
-}
-
-// The first part is kept; the first error counts.
-static void drain(Build *build)
-{
-    char bytes[4096];
-    while (build->output >= 0) {
-        ssize_t got = read(build->output, bytes, sizeof bytes);
-        if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
-            return;
-        if (got <= 0) {
-            close_output(build);
-            return;
-        }
-        size_t left = sizeof build->text - 1 - build->size;
-        size_t kept = (size_t)got < left ? (size_t)got : left;
-        memcpy(build->text + build->size, bytes, kept);
-        build->size += kept;
-        build->text[build->size] = '\0';
-    }
+    process_kill(&build->compiler);
 }
 
 bool build_poll(Build *build, bool *ok)
 {
-    if (build->pid <= 0)
+    if (build->compiler.pid <= 0)
         return false;
     int status = 0;
-    drain(build);
+    // The first part is kept; the first error counts.
+    process_read(&build->compiler, build->text, sizeof build->text, &build->size);
     if (clock_seconds() - build->started > LONGEST) {
         build_stop(build);
         build->size = (size_t)snprintf(build->text, sizeof build->text,
@@ -138,11 +49,10 @@ bool build_poll(Build *build, bool *ok)
         *ok = false;
         return true;
     }
-    if (waitpid(build->pid, &status, WNOHANG) != build->pid)
+    if (!process_has_ended(&build->compiler, &status))
         return false;
-    drain(build);
-    close_output(build);
-    build->pid = 0;
+    process_read(&build->compiler, build->text, sizeof build->text, &build->size);
+    process_kill(&build->compiler); // what it left running may hold the pipe
     *ok = WIFEXITED(status) && WEXITSTATUS(status) == 0;
     return true;
 }

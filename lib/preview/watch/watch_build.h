@@ -3,14 +3,10 @@
 #define PHOTONLAB_PREVIEW_WATCH_BUILD_H
 
 #include "base/error.h"
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <sys/types.h>
+#include "base/process.h"
 
 typedef struct {
-    pid_t pid;  // 0: nothing runs
-    int output; // what the compiler prints; −1 when it has closed it
+    Process compiler;
     double started;
     char text[16384];
     size_t size;
