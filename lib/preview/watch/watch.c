@@ -25,22 +25,22 @@ const char *watch_step_name(const StepInfo *step)
     return strrchr(step->file, '/') + 1;
 }
 
-Print watch_take_print(const Watch *watch, size_t i)
+Fingerprint watch_fingerprint(const Watch *watch, size_t i)
 {
     char path[4096];
     struct stat info;
     path_of(path, sizeof path, watch->source, &step_table[i], ".c");
     if (stat(path, &info) != 0)
-        return (Print){.there = false};
-    return (Print){true,
-                   (long long)CHANGED_AT(info).tv_sec,
-                   (long long)CHANGED_AT(info).tv_nsec,
-                   (long long)info.st_size,
-                   (unsigned long long)info.st_ino,
-                   watch_print_headers(watch, i)};
+        return (Fingerprint){.there = false};
+    return (Fingerprint){true,
+                         (long long)CHANGED_AT(info).tv_sec,
+                         (long long)CHANGED_AT(info).tv_nsec,
+                         (long long)info.st_size,
+                         (unsigned long long)info.st_ino,
+                         watch_headers_fingerprint(watch, i)};
 }
 
-static bool same_print(const Print *a, const Print *b)
+static bool same_fingerprint(const Fingerprint *a, const Fingerprint *b)
 {
     return a->there == b->there && a->seconds == b->seconds && a->nanoseconds == b->nanoseconds && a->size == b->size &&
            a->number == b->number && a->headers == b->headers;
@@ -48,7 +48,7 @@ static bool same_print(const Print *a, const Print *b)
 
 void watch_mark(Watch *watch, size_t i)
 {
-    watch->files[i].print = watch_take_print(watch, i);
+    watch->files[i].fingerprint = watch_fingerprint(watch, i);
     watch->files[i].dirty = true;
     watch->files[i].since = clock_seconds();
 }
@@ -75,8 +75,8 @@ static void look_at_times(Watch *watch)
         return;
     watch->looked = now;
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        Print print = watch_take_print(watch, i);
-        if (!same_print(&print, &watch->files[i].print))
+        Fingerprint found = watch_fingerprint(watch, i);
+        if (!same_fingerprint(&found, &watch->files[i].fingerprint))
             watch_mark(watch, i);
     }
 }
@@ -102,7 +102,7 @@ Watch *watch_start(const char *source, const char *objects, const char *command,
     watch->inotify = watch->build.compiler.output = -1;
     watch_start_listening(watch);
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        watch->files[i].print = watch_take_print(watch, i);
+        watch->files[i].fingerprint = watch_fingerprint(watch, i);
         if (is_behind(watch, i))
             watch_mark(watch, i);
     }
@@ -137,7 +137,7 @@ static WatchEvent begin_build(Watch *watch, size_t i)
     path_of(object, sizeof object, watch->objects, &step_table[i], ".so");
     watch->files[i].dirty = false;
     watch->files[i].error[0] = '\0';
-    watch->files[i].print = watch_take_print(watch, i); // what is built, even if it was seen half-written before
+    watch->files[i].fingerprint = watch_fingerprint(watch, i); // what is built, even if it was seen half-written before
     if (access(source, F_OK) != 0)
         return remove_object(watch, i, object);
     watch->building = i;
@@ -150,7 +150,7 @@ static WatchEvent begin_build(Watch *watch, size_t i)
 // Seconds until this file may be built; a deleted one may come back at once under the same name.
 static double time_left(const Source *file)
 {
-    return file->since + (file->print.there ? QUIET : QUIET_DELETE) - clock_seconds();
+    return file->since + (file->fingerprint.there ? QUIET : QUIET_DELETE) - clock_seconds();
 }
 
 // The one that waits longest.
@@ -169,7 +169,8 @@ static WatchEvent end_build(Watch *watch, bool ok)
     char file[256];
     snprintf(file, sizeof file, "%s.c", watch_step_name(&step_table[watch->building]));
     watch->warning[0] = '\0';
-    watch->files[watch->building].print.headers = watch_print_headers(watch, watch->building); // it may read others now
+    watch->files[watch->building].fingerprint.headers =
+        watch_headers_fingerprint(watch, watch->building); // it may read others now
     if (ok) {
         snprintf(watch->message, sizeof watch->message, "%s: built in %.2f s", file,
                  clock_seconds() - watch->build.started);

@@ -34,7 +34,7 @@ static bool is_own_header(const Watch *watch, const char *path)
            strcmp(path + length - 2, ".h") == 0;
 }
 
-static unsigned long long add_print(unsigned long long sum, const char *path)
+static unsigned long long add_file(unsigned long long sum, const char *path)
 {
     struct stat info;
     sum = hash_u64(sum + 1);
@@ -45,7 +45,7 @@ static unsigned long long add_print(unsigned long long sum, const char *path)
     return hash_u64(sum ^ (unsigned long long)info.st_size ^ (unsigned long long)info.st_ino << 20);
 }
 
-unsigned long long watch_print_headers(const Watch *watch, size_t i)
+unsigned long long watch_headers_fingerprint(const Watch *watch, size_t i)
 {
     char rules[4096];
     size_t size;
@@ -55,7 +55,7 @@ unsigned long long watch_print_headers(const Watch *watch, size_t i)
     unsigned long long sum = 0;
     for (char *path; text && (path = next_path(&rest));)
         if (is_own_header(watch, path))
-            sum = add_print(sum, path);
+            sum = add_file(sum, path);
     free(text);
     return sum;
 }

@@ -18,10 +18,10 @@ typedef struct {
     long long seconds, nanoseconds, size;
     unsigned long long number;
     unsigned long long headers; // of the student's own that it includes, all together
-} Print;
+} Fingerprint;
 
 typedef struct {
-    Print print;
+    Fingerprint fingerprint;
     bool dirty;      // was saved and waits to be built
     char error[300]; // of its last build; "": it went well
     double since;    // of the last sign that it was saved
@@ -40,10 +40,10 @@ struct Watch {
 };
 
 const char *watch_step_name(const StepInfo *step); // "1.3_scatter_diffuse"
-Print watch_take_print(const Watch *watch, size_t step);
+Fingerprint watch_fingerprint(const Watch *watch, size_t step);
 // Of the headers below the watched folder that the step's last build read, as the compiler has written them down beside
 // the object. 0: none.
-unsigned long long watch_print_headers(const Watch *watch, size_t step);
+unsigned long long watch_headers_fingerprint(const Watch *watch, size_t step);
 void watch_mark(Watch *watch, size_t step); // its file was saved, or may have been
 
 // By inotify; without it the first two do nothing, and times have to do.

@@ -47,7 +47,7 @@ static void take_change(Watch *watch, const struct inotify_event *event)
             strcmp(event->name + length, ".c") != 0)
             continue;
         known = true;
-        if (!(event->mask & IN_CREATE && !watch_take_print(watch, i).size))
+        if (!(event->mask & IN_CREATE && !watch_fingerprint(watch, i).size))
             watch_mark(watch, i);
     }
     if (!known)
