@@ -15,11 +15,11 @@ typedef struct {
     int pipe; // −1: closed
     int heart;
     WireHead head;
-    size_t head_size; // bytes of the head that have come
-    Buffer payload;   // of the message that is coming
-    bool waiting;     // a whole picture whose turn has not come; nothing more is read meanwhile
-    Buffer photons, legs, samples;
-    bool done, ended; // said that it was done; its process is gone
+    size_t head_size;         // bytes of the head that have come
+    Buffer payload;           // of the message that is coming
+    bool waiting;             // a whole picture whose turn has not come; nothing more is read meanwhile
+    Buffer found[WIRE_FOUND]; // by the kind of message: photons, legs, samples
+    bool done, ended;         // said that it was done; its process is gone
     WireDone result;
     int status;
     uint64_t beats;

@@ -36,10 +36,11 @@ bool buffer_add(Buffer *buffer, const void *bytes, size_t size)
 void part_free(Part *part)
 {
     free(part->payload.bytes);
-    free(part->photons.bytes);
-    free(part->legs.bytes);
-    free(part->samples.bytes);
-    part->payload = part->photons = part->legs = part->samples = (Buffer){NULL, 0, 0};
+    part->payload = (Buffer){NULL, 0, 0};
+    for (int kind = 0; kind < WIRE_FOUND; kind++) {
+        free(part->found[kind].bytes);
+        part->found[kind] = (Buffer){NULL, 0, 0};
+    }
 }
 
 // The quick picture, blown up.
@@ -103,11 +104,9 @@ static bool take_message(Run *run, Part *part)
     const Buffer *payload = &part->payload;
     switch ((WireKind)part->head.kind) {
     case WIRE_PHOTONS:
-        return buffer_add(&part->photons, payload->bytes, payload->size);
     case WIRE_LEGS:
-        return buffer_add(&part->legs, payload->bytes, payload->size);
     case WIRE_SAMPLES:
-        return buffer_add(&part->samples, payload->bytes, payload->size);
+        return buffer_add(&part->found[part->head.kind], payload->bytes, payload->size);
     case WIRE_PICTURE:
         part->waiting = payload->size >= sizeof(WirePicture) && !run_take_picture(run, part);
         return true;

@@ -56,12 +56,12 @@ void run_describe_oddities(Run *run)
 }
 
 // Part after part: that is the order of the paths. The first part's memory takes the others'.
-static Buffer join(Run *run, Buffer *(*choose)(Part *))
+static Buffer join(Run *run, WireKind kind)
 {
-    Buffer whole = *choose(&run->parts[0]);
-    *choose(&run->parts[0]) = (Buffer){NULL, 0, 0};
+    Buffer whole = run->parts[0].found[kind];
+    run->parts[0].found[kind] = (Buffer){NULL, 0, 0};
     for (int i = 1; i < run->part_count; i++) {
-        Buffer *part = choose(&run->parts[i]);
+        Buffer *part = &run->parts[i].found[kind];
         if (!buffer_add(&whole, part->bytes, part->size))
             break;
         free(part->bytes);
@@ -70,14 +70,23 @@ static Buffer join(Run *run, Buffer *(*choose)(Part *))
     return whole;
 }
 
-static Buffer *photons_of(Part *part)
+static Buffer copy(const Run *run, WireKind kind, bool *ok)
 {
-    return &part->photons;
+    Buffer whole = {NULL, 0, 0};
+    for (int i = 0; *ok && i < run->part_count; i++)
+        *ok = buffer_add(&whole, run->parts[i].found[kind].bytes, run->parts[i].found[kind].size);
+    return whole;
 }
 
-static Buffer *legs_of(Part *part)
+static void fill_in(const Run *run, Buffer photons, Buffer legs, double seconds, Recording *recording)
 {
-    return &part->legs;
+    recording->photons = (RecordedPhoton *)(void *)photons.bytes;
+    recording->count = photons.size / sizeof *recording->photons;
+    recording->legs = (PathLeg *)(void *)legs.bytes;
+    recording->leg_count = legs.size / sizeof *recording->legs;
+    recording->recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
+    recording->seconds = seconds;
+    recording->farthest = recording_farthest(recording);
 }
 
 Recording run_take_recording(Run *run)
@@ -86,31 +95,9 @@ Recording run_take_recording(Run *run)
     if (run->status.state != RUN_DONE || run->request.kind != RUN_PHOTONS)
         return recording;
     sum_up(run, &recording);
-    Buffer photons = join(run, photons_of), legs = join(run, legs_of);
-    recording.photons = (RecordedPhoton *)(void *)photons.bytes;
-    recording.count = photons.size / sizeof *recording.photons;
-    recording.legs = (PathLeg *)(void *)legs.bytes;
-    recording.leg_count = legs.size / sizeof *recording.legs;
-    recording.recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
-    recording.seconds = run->seconds;
-    recording.farthest = recording_farthest(&recording);
+    Buffer photons = join(run, WIRE_PHOTONS);
+    fill_in(run, photons, join(run, WIRE_LEGS), run->seconds, &recording);
     return recording;
-}
-
-static bool copy_parts(const Run *run, Recording *recording)
-{
-    Buffer photons = {NULL, 0, 0}, legs = {NULL, 0, 0};
-    bool ok = run->parts[0].photons.size > 0; // the first part's books are in by then
-    for (int i = 0; ok && i < run->part_count; i++) {
-        const Part *part = &run->parts[i];
-        ok = buffer_add(&photons, part->photons.bytes, part->photons.size) &&
-             buffer_add(&legs, part->legs.bytes, part->legs.size);
-    }
-    recording->photons = (RecordedPhoton *)(void *)photons.bytes;
-    recording->count = photons.size / sizeof *recording->photons;
-    recording->legs = (PathLeg *)(void *)legs.bytes;
-    recording->leg_count = legs.size / sizeof *recording->legs;
-    return ok && recording->count > 0;
 }
 
 bool run_copy_partial(const Run *run, Recording *recording)
@@ -118,27 +105,27 @@ bool run_copy_partial(const Run *run, Recording *recording)
     *recording = (Recording){.photons = NULL};
     if (run->status.state != RUN_GOING || run->failing || run->request.kind != RUN_PHOTONS)
         return false;
-    if (!copy_parts(run, recording)) {
+    bool ok = run->parts[0].found[WIRE_PHOTONS].size > 0; // the first part's books are in by then
+    Buffer photons = copy(run, WIRE_PHOTONS, &ok);
+    fill_in(run, photons, copy(run, WIRE_LEGS, &ok), clock_seconds() - run->started, recording);
+    if (!ok) {
         recording_free(recording);
         return false;
     }
     recording->play = run->parts[0].result.play;
     memcpy(recording->states, run->parts[0].result.states, sizeof recording->states);
-    recording->recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
     recording->emitted = (long)(run->status.fraction * (double)run->request.photons);
     recording->emitted = recording->emitted > 0 ? recording->emitted : 1;
     for (size_t i = 0; i < recording->count; i++)
         recording->bounces = recording->photons[i].at.bounce + 1 > recording->bounces
                                  ? recording->photons[i].at.bounce + 1
                                  : recording->bounces;
-    recording->seconds = clock_seconds() - run->started;
-    recording->farthest = recording_farthest(recording);
     return true;
 }
 
 LobeSamples run_take_lobe(Run *run)
 {
-    Buffer *buffer = &run->parts[0].samples;
+    Buffer *buffer = &run->parts[0].found[WIRE_SAMPLES];
     LobeSamples samples = {NULL, 0};
     if (run->status.state != RUN_DONE || run->request.kind != RUN_LOBE)
         return samples;

@@ -55,6 +55,7 @@ typedef enum {
     WIRE_FAILED,  // why it could not begin, in words
     WIRE_CRASH    // WireCrash; a later one knows more than an earlier
 } WireKind;
+#define WIRE_FOUND (WIRE_SAMPLES + 1) // kinds before that are kept, message after message
 
 typedef struct {
     uint32_t kind, bytes;
