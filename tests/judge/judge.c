@@ -147,9 +147,7 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
     }
 #pragma omp parallel for schedule(dynamic, 1) num_threads(parallel_threads(a->jobs))
     for (int i = 0; i < count; i++) {
-        StepResult *graded = calloc(1, sizeof *graded); // the zero stays in the report until the step is done
-        if (!graded)
-            exit(EXIT_UNGRADED);
+        StepResult *graded = must(calloc(1, sizeof *graded)); // the zero stays in the report until the step is done
         grade_step(&a->grade, results[i].step, graded);
         points_give(points, graded);
 #pragma omp critical(report)

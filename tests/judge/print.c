@@ -1,6 +1,7 @@
 // What the person at the terminal reads: stages, steps, what is wrong and where to go on, and the sums.
 #include "judge/scatter/scatter.h"
 #include "report/text.h"
+#include "base/text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -131,14 +132,14 @@ static void print_title(const Terminal *terminal, const StepResult *result)
 
 static void print_check(const Terminal *terminal, const CheckResult *check)
 {
-    char line[2048];
+    char line[2048] = "";
     const Finding *finding = &check->finding;
-    int used = snprintf(line, sizeof line, "%s %s", status_table[check->status].mark, check->check->title);
+    text_append(line, sizeof line, "%s %s", status_table[check->status].mark, check->check->title);
     if (check->check->kind == CHECK_PICTURE && finding->T_threshold > 0.0)
-        snprintf(line + used, sizeof line - (size_t)used, ": T %.2f of %.2f, V %.2f of %.2f", finding->T,
-                 finding->T_threshold, finding->V, finding->V_threshold);
+        text_append(line, sizeof line, ": T %.2f of %.2f, V %.2f of %.2f", finding->T, finding->T_threshold, finding->V,
+                    finding->V_threshold);
     else if (finding->tests > 0)
-        snprintf(line + used, sizeof line - (size_t)used, ": p = %.2g, wrong below %.2g", finding->p, check->threshold);
+        text_append(line, sizeof line, ": p = %.2g, wrong below %.2g", finding->p, check->threshold);
     print_dim(terminal, "", line);
 }
 

@@ -27,6 +27,9 @@ typedef struct {
     uint64_t seed; // of this check in this round; case i takes hash_u64(seed + i)
 } Plan;
 
+// Memory that was asked for; without it the judge ends.
+void *must(void *memory);
+
 // Each returns the case's number within the check, from 0. Arguments of calls: as tests/judge/probe/ reads them.
 size_t plan_call(Plan *plan, long count, const double *arguments, size_t argument_count);
 size_t plan_paths(Plan *plan, const char *scene, long photons, long batches, int depth, const char *steps);

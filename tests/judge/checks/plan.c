@@ -9,7 +9,7 @@
 const char *const check_kind_names[CHECK_KINDS] = {"values", "samples", "energy", "invariant", "picture"};
 
 // Running out of memory while planning a few hundred lines: there is nothing to save.
-static void *must(void *memory)
+void *must(void *memory)
 {
     if (!memory) {
         fprintf(stderr, "judge: not enough memory\n");

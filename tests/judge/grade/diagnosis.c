@@ -20,10 +20,8 @@ void signature_add(Signature *signature, const char *check, Feature feature)
 {
     if (signature->count == signature->capacity) {
         signature->capacity = signature->capacity ? 2 * signature->capacity : 64;
-        NamedFeature *more = realloc(signature->features, (size_t)signature->capacity * sizeof *more);
-        if (!more)
-            exit(3);
-        signature->features = more;
+        signature->features =
+            must(realloc(signature->features, (size_t)signature->capacity * sizeof *signature->features));
     }
     NamedFeature *next = &signature->features[signature->count++];
     snprintf(next->check, sizeof next->check, "%s", check);

@@ -45,12 +45,9 @@ static void plan_checks(const GradeOptions *options, const StepChecks *checks, b
             continue;
         Plan plan = {.seed = seed_of(options, checks->id, check, round)};
         check->plan(&plan);
-        char **lines = realloc(cases->lines, (cases->count + plan.count + 1) * sizeof *lines);
-        if (!lines)
-            exit(3);
-        cases->lines = lines;
+        cases->lines = must(realloc(cases->lines, (cases->count + plan.count + 1) * sizeof *cases->lines));
         if (plan.count > 0)
-            memcpy(lines + cases->count, plan.lines, plan.count * sizeof *lines);
+            memcpy(cases->lines + cases->count, plan.lines, plan.count * sizeof *plan.lines);
         free(plan.lines);
         cases->first[i] = cases->count;
         cases->of[i] = plan.count;
@@ -153,9 +150,7 @@ static bool needs_confirmation(const StepResult *result)
 
 static Status confirm(const GradeOptions *options, const StepChecks *checks, StepResult *result)
 {
-    StepResult *again = calloc(1, sizeof *again);
-    if (!again)
-        exit(3);
+    StepResult *again = must(calloc(1, sizeof *again));
     again->step = result->step;
     again->check_count = result->check_count;
     again->words = result->words;

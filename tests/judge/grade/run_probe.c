@@ -50,23 +50,19 @@ Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, 
     char directory[4000], object[4096];
     step_directory(options, step, directory, sizeof directory);
     snprintf(object, sizeof object, "%s/step.so", directory);
-    ProbeJob *job = malloc(sizeof *job);
-    ProbeRun *ran = malloc(sizeof *ran);
-    if (!job || !ran)
-        exit(3);
-    make_job(options, step, scene, directory, object, job);
-    Status status = probe_job_run(options, job, step->id, lines, count, numbers, ran);
-    *storage = ran->storage;
-    if (*ran->message)
-        snprintf(result->words.message, sizeof result->words.message, "%s", ran->message);
+    ProbeJob job;
+    ProbeRun ran;
+    make_job(options, step, scene, directory, object, &job);
+    Status status = probe_job_run(options, &job, step->id, lines, count, numbers, &ran);
+    *storage = ran.storage;
+    if (*ran.message)
+        snprintf(result->words.message, sizeof result->words.message, "%s", ran.message);
     if (status != STATUS_SKIP) {
-        *crashed_case = (long)ran->whole;
-        copy_printed(ran->sandbox.text, result->words.output + result->words.compiled,
+        *crashed_case = (long)ran.whole;
+        copy_printed(ran.sandbox.text, result->words.output + result->words.compiled,
                      sizeof result->words.output - result->words.compiled);
     }
-    if (status == STATUS_ERROR && !ran->forged)
-        crash_describe(options, &ran->sandbox, object, step->symbol, &result->words);
-    free(job);
-    free(ran);
+    if (status == STATUS_ERROR && !ran.forged)
+        crash_describe(options, &ran.sandbox, object, step->symbol, &result->words);
     return status;
 }

@@ -1,5 +1,6 @@
 // Sums and numbers in words, the same in every format.
 #include "report.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -58,16 +59,15 @@ static void words_of_odds(double p, char *words, size_t size)
 
 static void words_of_picture(const ReportPicture *picture, char *words, size_t size)
 {
-    size_t used = 0;
     words[0] = '\0';
     if (!isnan(picture->T) && !isnan(picture->T_threshold))
-        used = (size_t)snprintf(
-            words, size, "Brightness: the worst patch is %.1f standard deviations off; up to %.1f is chance%s. ",
-            picture->T, picture->T_threshold, picture->T > picture->T_threshold ? ", so this is a wrong picture" : "");
-    if (used < size && !isnan(picture->V) && !isnan(picture->V_threshold))
-        snprintf(words + used, size - used, "Noise: %.2f from the reference's (in logarithms); up to %.2f is chance%s.",
-                 picture->V, picture->V_threshold,
-                 picture->V > picture->V_threshold ? ", so this estimates otherwise" : "");
+        text_append(words, size,
+                    "Brightness: the worst patch is %.1f standard deviations off; up to %.1f is chance%s. ", picture->T,
+                    picture->T_threshold, picture->T > picture->T_threshold ? ", so this is a wrong picture" : "");
+    if (!isnan(picture->V) && !isnan(picture->V_threshold))
+        text_append(words, size, "Noise: %.2f from the reference's (in logarithms); up to %.2f is chance%s.",
+                    picture->V, picture->V_threshold,
+                    picture->V > picture->V_threshold ? ", so this estimates otherwise" : "");
 }
 
 static void words_of_chance(double p, double threshold, char *words, size_t size)

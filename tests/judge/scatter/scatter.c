@@ -1,4 +1,5 @@
 #include "judge/scatter/scatter.h"
+#include "base/text.h"
 #include "judge/grade/crash.h"
 #include "judge/grade/probe_job.h"
 
@@ -38,8 +39,7 @@ static void choose_cast(int stage, const StepResult *graded, int count, Cast *ca
         cast->student[i] = cast->student[i] && step_is_played(&step_table[i], choice);
         if (!cast->student[i])
             continue;
-        snprintf(cast->list + strlen(cast->list), sizeof cast->list - strlen(cast->list), "%s%s",
-                 *cast->list ? "," : "", step_table[i].id);
+        text_append(cast->list, sizeof cast->list, "%s%s", *cast->list ? "," : "", step_table[i].id);
         cast->hide[i] = true;
         for (size_t j = 0; j < STEP_COUNT; j++) // nor may it see what does the same work
             cast->hide[j] = cast->hide[j] || steps_are_paired(&step_table[i], &step_table[j]);
@@ -105,23 +105,19 @@ static bool run(const Stage *s, bool reference, uint64_t seed, ScatterPhotons *p
     }
     job.cpu_seconds = o->cpu_seconds / 3.0; // it takes a twentieth of a second
     Numbers numbers = {NULL, 0};
-    ProbeRun *ran = calloc(1, sizeof *ran);
-    StepWords *words_for = calloc(1, sizeof *words_for);
-    if (!ran || !words_for)
-        exit(3);
-    result->status = probe_job_run(o, &job, "", lines, 1, &numbers, ran);
-    if (result->status == STATUS_SKIP || ran->forged)
-        snprintf(result->message, sizeof result->message, "%.1000s", ran->message);
+    ProbeRun ran;
+    StepWords told;
+    result->status = probe_job_run(o, &job, "", lines, 1, &numbers, &ran);
+    if (result->status == STATUS_SKIP || ran.forged)
+        snprintf(result->message, sizeof result->message, "%.1000s", ran.message);
     else if (result->status == STATUS_ERROR) {
-        crash_describe(o, &ran->sandbox, NULL, "", words_for);
+        crash_describe(o, &ran.sandbox, NULL, "", &told);
         snprintf(result->message, sizeof result->message, "%s did not get through: %.800s",
-                 reference ? "the reference" : result->steps, words_for->message);
+                 reference ? "the reference" : result->steps, told.message);
     }
     if (reference && result->status == STATUS_ERROR)
         result->status = STATUS_SKIP; // no fault of the student
-    photons->numbers = ran->storage;
-    free(words_for);
-    free(ran);
+    photons->numbers = ran.storage;
     if (result->status != STATUS_PASS)
         return false;
     if (take_photons(photons->numbers, s->stage->photons, photons))

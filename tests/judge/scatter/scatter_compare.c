@@ -127,9 +127,7 @@ void scatter_compare(const ScatterPhotons *yours, const ScatterPhotons *referenc
     if (find_certain(yours, reference, finding))
         return;
     Judge judge = {finding, names};
-    Tally *tallies[2] = {calloc(1, sizeof **tallies), calloc(1, sizeof **tallies)};
-    if (!tallies[0] || !tallies[1])
-        exit(3);
+    Tally *tallies[2] = {must(calloc(1, sizeof **tallies)), must(calloc(1, sizeof **tallies))};
     cells_fill((const ScatterPhotons *const[]){yours, reference}, tallies);
     for (int c = 0; c < CELLS; c++)
         if (!is_repeated(tallies[0], tallies[1], c))
