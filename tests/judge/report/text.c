@@ -91,48 +91,29 @@ char *text_clean(const char *bytes, size_t size, size_t most)
     return fitting ? fitting : clean;
 }
 
+// Text with words in the place of some characters.
+static void put_replaced(FILE *stream, const char *text, const char *characters, const char *const *words)
+{
+    for (; *text; text++) {
+        const char *found = strchr(characters, *text);
+        if (found)
+            fputs(words[found - characters], stream);
+        else
+            fputc(*text, stream);
+    }
+}
+
 void text_markup(FILE *stream, const char *text)
 {
-    for (; *text; text++)
-        switch (*text) {
-        case '&':
-            fputs("&amp;", stream);
-            break;
-        case '<':
-            fputs("&lt;", stream);
-            break;
-        case '>': // so that ]]> never comes about
-            fputs("&gt;", stream);
-            break;
-        case '"':
-            fputs("&quot;", stream);
-            break;
-        case '\'':
-            fputs("&#39;", stream);
-            break;
-        default:
-            fputc(*text, stream);
-        }
+    static const char *const words[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"}; // > so that ]]> never comes about
+    put_replaced(stream, text, "&<>\"'", words);
 }
 
 void text_quoted(FILE *stream, const char *text)
 {
+    static const char *const words[] = {"\\\"", "\\\\", "\\n", "\\t"};
     fputc('"', stream);
-    for (; *text; text++)
-        switch (*text) {
-        case '"':
-        case '\\':
-            fprintf(stream, "\\%c", *text);
-            break;
-        case '\n':
-            fputs("\\n", stream);
-            break;
-        case '\t':
-            fputs("\\t", stream);
-            break;
-        default:
-            fputc(*text, stream);
-        }
+    put_replaced(stream, text, "\"\\\n\t", words);
     fputc('"', stream);
 }
 
