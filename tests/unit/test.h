@@ -1,4 +1,5 @@
 // A test program: TEST(name) { … } is a test of it, and no list has to name it. Each program includes this once, as main is here.
+// What a test makes by way of `at_end` is freed when it ends, passed or not.
 #ifndef PHOTONLAB_TEST_H
 #define PHOTONLAB_TEST_H
 
@@ -7,6 +8,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+
+#include <stdlib.h>
+#include <string.h>
 
 static struct CMUnitTest all_tests[64];
 static size_t test_count;
@@ -18,6 +22,60 @@ static void test_add(struct CMUnitTest test)
     all_tests[test_count++] = test;
 }
 
+// ---- what is freed at the end
+
+typedef struct Owned {
+    struct Owned *older;
+    void (*release)(void *thing);
+    void *thing;
+} Owned;
+
+static Owned *newest;
+
+static inline void at_end(void (*release)(void *thing), void *thing)
+{
+    Owned *owned = malloc(sizeof *owned);
+    assert_non_null(owned);
+    *owned = (Owned){newest, release, thing};
+    newest = owned;
+}
+
+// The newest first.
+static inline int free_all(void **state)
+{
+    (void)state;
+    while (newest) {
+        Owned owned = *newest;
+        free(newest);
+        newest = owned.older;
+        owned.release(owned.thing);
+    }
+    return 0;
+}
+
+// Defines `name(thing)`: `release(thing)` is for the test's end. Gives the thing.
+#define FREED_AT_END(name, type, release)                                                                              \
+    static inline void name##_now(void *thing)                                                                         \
+    {                                                                                                                  \
+        release((type *)thing);                                                                                        \
+    }                                                                                                                  \
+    static inline type *name(type *thing)                                                                              \
+    {                                                                                                                  \
+        at_end(name##_now, thing);                                                                                     \
+        return thing;                                                                                                  \
+    }
+
+// A copy that is there until then: of a value that a function gave, to be released by its address.
+static inline void *kept(const void *value, size_t size)
+{
+    void *copy = malloc(size);
+    assert_non_null(copy);
+    at_end(free, copy);
+    return memcpy(copy, value, size);
+}
+
+// ---- tests
+
 // A test with what runs before and after it, and the state that they get.
 #define TEST_WITH(test, before, after, start)                                                                          \
     static void test(void **state);                                                                                    \
@@ -27,7 +85,7 @@ static void test_add(struct CMUnitTest test)
     }                                                                                                                  \
     static void test(__attribute__((unused)) void **state)
 
-#define TEST(test) TEST_WITH(test, NULL, NULL, NULL)
+#define TEST(test) TEST_WITH(test, NULL, free_all, NULL)
 
 // What runs before the first test and after the last; NULL: nothing.
 #define AROUND_TESTS(before, after)                                                                                    \

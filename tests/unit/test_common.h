@@ -10,9 +10,6 @@
 #include "scene/scene.h"
 #include "unit/test.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 // Statistics over many photons tell the sanitizers nothing that an eighth of them would not: under these, fewer are
 // traced. Tolerances must follow from the count.
 #if defined(__has_feature)
@@ -146,13 +143,22 @@ static inline void assert_chi_square(const long *counts, const double *expected,
 }
 
 // ---- scenes and photons
-static inline Scene *scene_from_text(const char *text)
+FREED_AT_END(own_scene, Scene, scene_free)
+FREED_AT_END(own_pass, PhotonPass, photon_pass_free)
+
+// Files that the text names are looked for in `folder`.
+static inline Scene *scene_in_folder(const char *text, const char *folder)
 {
     Error error = {""};
-    Scene *scene = scene_load_text(text, strlen(text), "scene of the test", "scenes/", &error);
+    Scene *scene = scene_load_text(text, strlen(text), "scene of the test", folder, &error);
     if (!scene)
         fail_msg("%s", error.message);
-    return scene;
+    return own_scene(scene);
+}
+
+static inline Scene *scene_from_text(const char *text)
+{
+    return scene_in_folder(text, "scenes/");
 }
 
 static inline Scene *scene_from_file(const char *path)
@@ -161,7 +167,7 @@ static inline Scene *scene_from_file(const char *path)
     Scene *scene = scene_load(path, &error);
     if (!scene)
         fail_msg("%s (meshes are generated: run `make` first)", error.message);
-    return scene;
+    return own_scene(scene);
 }
 
 // All kinds of photons; they stand in pass.rest.
@@ -178,7 +184,7 @@ static inline PhotonPass photons_of(const Scene *scene, long photons, uint64_t s
     steps_play(play);
     if (!photon_pass_run(scene, &options, &pass, &error))
         fail_msg("%s", error.message);
-    return pass;
+    return *own_pass(kept(&pass, sizeof pass));
 }
 
 static const StepChoice PLAY_DEFAULT = {GLOSSY_PHONG, false};

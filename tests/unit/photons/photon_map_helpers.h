@@ -6,9 +6,6 @@
 #include "photons/photon_map.h"
 #include "unit/test.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 typedef enum { CUBE, PLANE, LINE, ONE_PLACE, CLUSTERS, LATTICE, ARRANGEMENTS } Arrangement;
 
 static inline Vec3 place(Arrangement arrangement, Rng *rng)
@@ -45,13 +42,15 @@ static inline StoredPhoton *make_photons(Arrangement arrangement, size_t count, 
     return photons;
 }
 
+FREED_AT_END(own_map, PhotonMap, photon_map_free)
+
 static inline PhotonMap *make_map(Arrangement arrangement, size_t count, uint64_t seed)
 {
     Error error = {{0}};
     PhotonMap *map = photon_map_build(make_photons(arrangement, count, seed), count, &error);
     assert_non_null(map);
     assert_string_equal(error.message, "");
-    return map;
+    return own_map(map);
 }
 
 #endif

@@ -17,6 +17,8 @@ static StoredPhoton photon_on_floor(float x, float y, Vec3 wi, float power)
     return (StoredPhoton){.position = vec3(x, y, 0), .power = colour_grey(power), .packed_wi = direction_pack(wi)};
 }
 
+FREED_AT_END(own_map, PhotonMap, photon_map_free)
+
 static PhotonMap *map_of(const StoredPhoton *photons, size_t count)
 {
     StoredPhoton *copy = malloc((count + 1) * sizeof *copy);
@@ -25,7 +27,7 @@ static PhotonMap *map_of(const StoredPhoton *photons, size_t count)
         copy[i] = photons[i];
     PhotonMap *map = photon_map_build(copy, count, NULL);
     assert_non_null(map);
-    return map;
+    return own_map(map);
 }
 
 // One photon of power Φ at distance d under a cone of radius r: L = ρ/π · Φ · 3(1 − d/r)/(πr²), whatever its
@@ -42,7 +44,6 @@ TEST(one_photon_under_the_cone)
         assert_within(L.r, 0.5 * per_reflectance, 1e-5, "red");
         assert_within(L.g, 0.25 * per_reflectance, 1e-5, "green");
         assert_within(L.b, 0.75 * per_reflectance, 1e-5, "blue");
-        photon_map_free(map);
     }
 }
 
@@ -56,9 +57,6 @@ TEST(photons_of_the_other_side_do_not_count)
     assert_true(one.r > 0.0f);
     assert_true(steps.estimate_radiance(below, &hit, vec3(0, 0, 1), &gather).r == 0.0f);
     assert_within(steps.estimate_radiance(both, &hit, vec3(0, 0, 1), &gather).r, one.r, 1e-6, "the upper one alone");
-    photon_map_free(above);
-    photon_map_free(below);
-    photon_map_free(both);
 }
 
 TEST(an_empty_map_is_dark)
@@ -67,7 +65,6 @@ TEST(an_empty_map_is_dark)
     Gather gather = {.k = 10, .radius = INFINITY, .near = near};
     PhotonMap *map = map_of(NULL, 0);
     assert_true(colour_sum(steps.estimate_radiance(map, &hit, vec3(0, 0, 1), &gather)) == 0.0f);
-    photon_map_free(map);
 }
 
 // Uniform light, E = 1 W/m² from 100000 photons on 1 m²: the mean of many estimates is ρE/π. With k photons
@@ -96,7 +93,6 @@ TEST(uniform_photons_give_the_irradiance)
         }
         assert_mean(&mean, 0.5 / M_PI, "mean radiance");
     }
-    photon_map_free(map);
 }
 
 AROUND_TESTS(load_reference_steps, NULL)

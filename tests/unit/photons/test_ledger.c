@@ -50,7 +50,6 @@ static void check_scene(const Scene *scene, const char *name)
         PhotonPass pass = photons_of(scene, PHOTONS, 1, play);
         check_ledger(&pass.ledger, what);
         check_photons(&pass, scene, what);
-        photon_pass_free(&pass);
     }
     assert_int_equal(redraw_cap_count(), 0);
 }
@@ -62,7 +61,7 @@ TEST(every_example_scene)
     for (size_t i = 0; i < found.gl_pathc; i++) {
         Scene *scene = scene_from_file(found.gl_pathv[i]);
         check_scene(scene, found.gl_pathv[i]);
-        scene_free(scene);
+        free_all(NULL);
     }
     assert_true(found.gl_pathc >= 5);
     globfree(&found);
@@ -117,9 +116,7 @@ TEST(nothing_escapes_from_a_closed_room)
                           0.02 * sqrt(1e5 / (double)pass.emitted) * pass.ledger.emitted[c],
                           "emitted power"); // lights are picked by chance
         }
-        photon_pass_free(&pass);
     }
-    scene_free(scene);
 }
 
 // Inside a grey sphere of reflectance ρ lit by Φ, photons arrive with Φ·ρ^k after k bounces: they deposit
@@ -140,8 +137,6 @@ TEST(integrating_sphere)
     const double expected[3] = {2.0, 5.0, 10.0};
     for (int c = 0; c < 3; c++) // absorbed = (1−ρ)·arrived exactly; chance is their distance to the right answer
         assert_within(arrived[c], expected[c], 4.0 * pass.ledger.chance_error[c] * expected[c], "flux that arrives");
-    photon_pass_free(&pass);
-    scene_free(scene);
 }
 
 // The ledger's second half is no tautology: a step that cheats shows.
@@ -192,7 +187,6 @@ TEST(cheating_steps_are_noticed)
     steps.fresnel = fresnel_without_total_reflection;
     assert_true(ledger_notices(scene));
     steps = honest;
-    scene_free(scene);
 }
 
 AROUND_TESTS(load_reference_steps, NULL)

@@ -64,8 +64,6 @@ TEST(parallel_light_in_a_ring_makes_a_nephroid)
         if (t == 0)
             assert_within(x, 0.5, 0.003, "cusp of the nephroid");
     }
-    photon_pass_free(&pass);
-    scene_free(scene);
 }
 
 // A source on the rim at (−1, 0): a cardioid. The mirror's formula 1/s + 1/q = 2/cos i (R = 1), with the
@@ -87,8 +85,6 @@ TEST(source_on_the_rim_makes_a_cardioid)
         if (t == 0)
             assert_within(x, 1.0 / 3.0, 0.003, "cusp of the cardioid");
     }
-    photon_pass_free(&pass);
-    scene_free(scene);
 }
 
 AROUND_TESTS(load_reference_steps, NULL)

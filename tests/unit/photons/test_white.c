@@ -67,8 +67,6 @@ TEST(panes_of_one_index)
         assert_int_equal(at.count[RED] + at.count[GREEN] + at.count[BLUE], 0);
         assert_true(at.sum[0] == at.sum[1] && at.sum[1] == at.sum[2]); // the same numbers, not just nearly
         assert_within(at.sum[0], through_panes(1.5, 4), 3.0 * at.error[0], "flux behind four panes"); // 0.75
-        photon_pass_free(&pass);
-        scene_free(scene);
     }
 }
 
@@ -85,8 +83,6 @@ TEST(panes_of_nearly_one_index)
         assert_within(at.sum[c], through_panes(1.5, 4), 4.0 * at.error[c], "flux of one colour");
         assert_within(at.sum[c], at.sum[next], 4.0 * hypot(at.error[c], at.error[next]), "two colours");
     }
-    photon_pass_free(&pass);
-    scene_free(scene);
 }
 
 // Strong dispersion: each colour by its own index, though white photons choose by the mean of three
@@ -102,8 +98,6 @@ TEST(panes_of_strong_dispersion)
         assert_within(pass.ledger.escaped[c], 1.0 - through_panes(index[c], 4), 0.01 * sqrt(2e5 / (double)pass.emitted),
                       "flux reflected");
     }
-    photon_pass_free(&pass);
-    scene_free(scene);
 }
 
 // What is reflected at the outside of dispersing glass has not been inside: it stays white, its channels
@@ -135,8 +129,6 @@ TEST(reflected_light_stays_white)
         white[c].count = pass.emitted;
         assert_mean(&white[c], r * r, "reflected flux of one channel");
     }
-    photon_pass_free(&pass);
-    scene_free(scene);
 }
 
 // A grey room with glass of one index: no photon is ever coloured, no channel ever differs.
@@ -163,9 +155,7 @@ TEST(a_grey_room_stays_grey)
             assert_int_equal(pass.rest.photons[i].colour, WHITE);
             assert_true(power.r == power.g && power.g == power.b);
         }
-        photon_pass_free(&pass);
     }
-    scene_free(scene);
 }
 
 // Without glass the two ways to trace draw the same random numbers in the same order: not only equal
@@ -181,10 +171,7 @@ TEST(loop_and_recursion_agree_without_glass)
             assert_true(loop.rest.count > 1000);
             assert_int_equal(loop.rest.count, recursion.rest.count);
             assert_memory_equal(loop.rest.photons, recursion.rest.photons, loop.rest.count * sizeof(StoredPhoton));
-            photon_pass_free(&loop);
-            photon_pass_free(&recursion);
         }
-        scene_free(scene);
     }
 }
 

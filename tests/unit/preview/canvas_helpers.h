@@ -6,9 +6,6 @@
 #include "preview/draw/context/context.h"
 #include "unit/test.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 enum { WIDTH = 160, HEIGHT = 120 };
 
 static Context *context;
@@ -33,6 +30,16 @@ static inline int end(void **state)
     return 0;
 }
 
+static inline void begin(Canvas *canvas)
+{
+    static const float PIXELS[16] = {2.0f / WIDTH, 0, 0, 0, 0, -2.0f / HEIGHT, 0, 0, 0, 0, 1, 0, -1, 1, 0, 1};
+    canvas_begin(canvas);
+    canvas_view(canvas, 0, 0, WIDTH, HEIGHT, PIXELS);
+}
+
+FREED_AT_END(own_canvas, Canvas, canvas_free)
+
+// An empty one, in pixels from the top left.
 static inline Canvas *new_canvas(void)
 {
     if (!context)
@@ -41,14 +48,8 @@ static inline Canvas *new_canvas(void)
     Canvas *canvas = canvas_create(context_loader(context), WIDTH, HEIGHT, &error);
     if (!canvas)
         fail_msg("%s", error.message);
-    return canvas;
-}
-
-// Pixels from the top left.
-static inline void view_pixels(Canvas *canvas)
-{
-    static const float PIXELS[16] = {2.0f / WIDTH, 0, 0, 0, 0, -2.0f / HEIGHT, 0, 0, 0, 0, 1, 0, -1, 1, 0, 1};
-    canvas_view(canvas, 0, 0, WIDTH, HEIGHT, PIXELS);
+    begin(canvas);
+    return own_canvas(canvas);
 }
 
 static inline void look(Canvas *canvas)

@@ -14,8 +14,6 @@ static void square(Vertex out[6], float x, float y, float z, float size, uint8_t
 TEST(shapes_are_where_they_belong)
 {
     Canvas *canvas = new_canvas();
-    canvas_begin(canvas);
-    view_pixels(canvas);
     Vertex vertices[6];
     square(vertices, 10, 20, 0, 5, 250, 100, 50);
     canvas_draw(canvas, vertices, 6, &(DrawStyle){.kind = DRAW_TRIANGLES});
@@ -31,14 +29,11 @@ TEST(shapes_are_where_they_belong)
     assert_int_equal(count_lit(10, 20, 5, 5), 25);
     assert_int_equal(count_lit(20, 60, 11, 1), 10); // OpenGL leaves out a line's last pixel
     assert_int_equal(count_all(), 25 + 1 + 10);
-    canvas_free(canvas);
 }
 
 TEST(large_points_and_rectangles_have_their_size)
 {
     Canvas *canvas = new_canvas();
-    canvas_begin(canvas);
-    view_pixels(canvas);
     Vertex point = {50, 50, 0, 255, 255, 255, 255};
     canvas_draw(canvas, &point, 1, &(DrawStyle){.kind = DRAW_POINTS, .point_size = 4});
     canvas_rectangle(canvas, 100, 90, 20, 10, (const uint8_t[4]){0, 0, 200, 255});
@@ -46,14 +41,12 @@ TEST(large_points_and_rectangles_have_their_size)
     assert_int_equal(count_lit(48, 48, 4, 4), 16);
     assert_int_equal(count_all(), 16 + 200);
     assert_pixel(119, 99, 0, 0, 200);
-    canvas_free(canvas);
 }
 
 TEST(a_view_ends_at_its_rectangle)
 {
     static const float SAME[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     Canvas *canvas = new_canvas();
-    canvas_begin(canvas);
     canvas_view(canvas, 80, 10, 60, 30, SAME);
     Vertex vertices[6], point = {0.5f, 0.5f, 0, 0, 0, 9, 255}; // three quarters right, one quarter down
     square(vertices, -9, -9, 0, 18, 9, 9, 9);
@@ -66,13 +59,11 @@ TEST(a_view_ends_at_its_rectangle)
     assert_int_equal(count_lit(80, 10, 60, 30), 60 * 30);
     assert_int_equal(count_all(), 60 * 30 + 1);
     assert_pixel(80 + 45, 10 + 7, 0, 0, 9);
-    canvas_free(canvas);
 }
 
 TEST(a_new_picture_is_black)
 {
     Canvas *canvas = new_canvas();
-    canvas_begin(canvas);
     canvas_rectangle(canvas, 0, 0, WIDTH, HEIGHT, (const uint8_t[4]){255, 255, 255, 255});
     look(canvas);
     assert_int_equal(count_all(), WIDTH * HEIGHT);
@@ -80,7 +71,6 @@ TEST(a_new_picture_is_black)
     look(canvas);
     assert_int_equal(count_all(), 0);
     assert_pixel(0, 0, 0, 0, 0);
-    canvas_free(canvas);
 }
 
 // ---- Styles ----
@@ -88,8 +78,6 @@ TEST(a_new_picture_is_black)
 TEST(light_adds_up)
 {
     Canvas *canvas = new_canvas();
-    canvas_begin(canvas);
-    view_pixels(canvas);
     Vertex point = {50.5f, 50.5f, 0, 100, 40, 0, 255}, half = {60.5f, 50.5f, 0, 200, 100, 0, 51};
     for (int i = 0; i < 3; i++)
         canvas_draw(canvas, &point, 1, &(DrawStyle){.kind = DRAW_POINTS, .additive = true});
@@ -103,14 +91,11 @@ TEST(light_adds_up)
     assert_pixel(60, 50, 40, 20, 0); // alpha 51/255 = 1/5
     assert_pixel(70, 50, 25, 10, 0);
     assert_pixel(80, 50, 200, 80, 0);
-    canvas_free(canvas);
 }
 
 TEST(what_is_near_hides_what_is_far)
 {
     Canvas *canvas = new_canvas();
-    canvas_begin(canvas);
-    view_pixels(canvas);
     Vertex near[6], far[6];
     square(near, 10, 10, -0.5f, 10, 200, 0, 0);
     square(far, 5, 5, 0.5f, 20, 0, 0, 200);
@@ -128,18 +113,15 @@ TEST(what_is_near_hides_what_is_far)
     canvas_draw(canvas, far, 6, &front);
     look(canvas);
     assert_pixel(15, 15, 0, 200, 0);
-    canvas_free(canvas);
 }
 
 TEST(a_glass_colour_lets_half_through)
 {
     Canvas *canvas = new_canvas();
-    canvas_begin(canvas);
     canvas_rectangle(canvas, 0, 0, 10, 10, (const uint8_t[4]){100, 0, 0, 255});
     canvas_rectangle(canvas, 0, 0, 10, 10, (const uint8_t[4]){0, 0, 200, 51});
     look(canvas);
     assert_pixel(5, 5, 80, 0, 40);
-    canvas_free(canvas);
 }
 
 AROUND_TESTS(start, end)

@@ -17,35 +17,30 @@ TEST(a_buffer_is_drawn_in_parts)
         int drawn;
     } PARTS[] = {{0, 8, 8}, {2, 3, 3}, {6, 100, 2}, {8, 1, 0}, {1000, SIZE_MAX, 0}, {1, SIZE_MAX, 7}, {3, 0, 0}};
     for (size_t i = 0; i < sizeof PARTS / sizeof *PARTS; i++) {
-        canvas_begin(canvas);
-        view_pixels(canvas);
+        begin(canvas);
         vertex_buffer_draw(canvas, &buffer, PARTS[i].first, PARTS[i].count, &style);
         look(canvas);
         assert_int_equal(count_all(), PARTS[i].drawn);
     }
     vertex_buffer_upload(canvas, &buffer, points, 1);
-    canvas_begin(canvas);
-    view_pixels(canvas);
+    begin(canvas);
     vertex_buffer_draw(canvas, &buffer, 0, 8, &style);
     look(canvas);
     assert_int_equal(count_all(), 1);
     vertex_buffer_upload(canvas, &buffer, NULL, 0);
     vertex_buffer_draw(canvas, &buffer, 0, 8, &style);
     vertex_buffer_free(canvas, &buffer);
-    canvas_free(canvas);
 }
 
 TEST(words_stay_in_their_lines)
 {
     static const uint8_t WHITE[4] = {255, 255, 255, 255};
     Canvas *canvas = new_canvas();
-    canvas_begin(canvas);
     canvas_text(canvas, 20, 30, 1, WHITE, "photon\n~|@ \xc2\xb5\x01\x7f");
     look(canvas);
     int width = (int)canvas_text_width(1, "photon");
     if (count_all() == 0) {
         print_message("skipped: built without stb_easy_font\n");
-        canvas_free(canvas);
         skip();
     }
     int first = count_lit(20, 30, width, 12), second = count_lit(20, 42, 60, 12);
@@ -60,14 +55,12 @@ TEST(words_stay_in_their_lines)
     canvas_text(canvas, 20, 30, 2, WHITE, "photon");
     look(canvas);
     assert_int_equal(count_all(), 4 * first);
-    canvas_free(canvas);
 }
 
 TEST(a_picture_stands_upright)
 {
     static const uint8_t PICTURE[16] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 255};
     Canvas *canvas = new_canvas();
-    canvas_begin(canvas);
     canvas_picture(canvas, 30, 40, 40, 20, PICTURE, 2, 2);
     look(canvas);
     assert_pixel(30, 40, 255, 0, 0);
@@ -83,7 +76,6 @@ TEST(a_picture_stands_upright)
     canvas_draw(canvas, &point, 1, &(DrawStyle){.kind = DRAW_POINTS});
     look(canvas);
     assert_pixel(110, 10, 1, 2, 3);
-    canvas_free(canvas);
 }
 
 TEST(a_canvas_changes_its_size)
@@ -106,7 +98,6 @@ TEST(a_canvas_changes_its_size)
     assert_memory_equal(seen + last, ((const uint8_t[5]){1, 2, 3, 255, 77}), 5);
     assert_int_equal(seen[last - 1], 255);
     assert_int_equal(seen[last - 2], 0);
-    canvas_free(canvas);
 }
 
 AROUND_TESTS(start, end)

@@ -34,7 +34,6 @@ TEST(the_scenes_rays_are_where_the_projection_shows_them)
             assert_true(fabs(y - (1.0 - 2.0 * (double)down)) < 2e-4);
             assert_true(depth > -1.0 && depth < 1.0);
         }
-        scene_free(scene);
     }
 }
 

@@ -29,7 +29,6 @@ TEST(the_photons_of_a_pass)
         recording_free(&recording);
     }
     broker_workers(broker, 2);
-    photon_pass_free(&pass);
 }
 
 // Legs follow on each other, and a photon has flown as far as the legs to it are long.

@@ -19,7 +19,6 @@ static size_t wire_lines(const char *name, Box *box)
         box_add_point(box, vec3(list.items[i].x, list.items[i].y, list.items[i].z));
     size_t lines = list.count / 2;
     vertices_free(&list);
-    scene_free(scene);
     return lines;
 }
 
@@ -57,7 +56,6 @@ static Recording recording_of(const Scene *scene, long emitted)
     assert_non_null(recording.photons);
     for (size_t i = 0; i < recording.count; i++)
         recording.photons[i] = (RecordedPhoton){pass.rest.photons[i], (float)(i * 7919 % 1000) * 0.01f};
-    photon_pass_free(&pass);
     return recording;
 }
 
@@ -90,7 +88,6 @@ TEST(the_prisms_colours_choose_the_screen)
     assert_true((red < green && green < blue) || (red > green && green > blue));
     assert_true(fabs(blue - green) > fabs(green - red)); // normal dispersion: blue is bent the most
     recording_free(&recording);
-    scene_free(scene);
 }
 
 TEST(cells_hold_every_photon_once)
@@ -121,7 +118,6 @@ TEST(cells_hold_every_photon_once)
     }
     photon_map_free(map);
     recording_free(&recording);
-    scene_free(scene);
 }
 
 TEST(legs_are_found_and_cut_at_the_front)
@@ -259,7 +255,6 @@ TEST(every_view_draws)
         }
     view_data_free(data);
     view_data_free(empty);
-    scene_free(scene);
     canvas_free(canvas);
     context_free(context);
 }

@@ -29,7 +29,6 @@ static Colour look(const char *text, Integrator integrator, int glass_sides, int
     RenderOptions options = {.integrator = integrator, .glass_sides = glass_sides, .reuse = REUSE_DEFAULT};
     options.settings = (RenderSettings){.samples = samples, .k = 20, .depth = depth};
     Colour radiance = look_through(scene, options);
-    scene_free(scene);
     return radiance;
 }
 
@@ -214,7 +213,6 @@ TEST(a_wrong_estimate_shows)
         assert_true(right.r > 0.0f && right.g > 0.0f && right.b > 0.0f);
         assert_colour(wrong, right.r / 0.8, right.g / 0.5, right.b / 0.25, 1e-4, "the right picture over ρ");
     }
-    scene_free(scene);
 }
 
 AROUND_TESTS(load_reference_steps, NULL)

@@ -6,9 +6,6 @@
 #include "scene/bvh/bvh.h"
 #include "unit/test.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 #define MAX_SHAPES 20000
 
 typedef struct {
@@ -19,13 +16,15 @@ typedef struct {
 
 static Shapes shapes; // of the test that runs; too large for the stack
 
+FREED_AT_END(own_bvh, Bvh, bvh_free)
+
 static inline Bvh *build(void)
 {
     Error error = {""};
     Bvh *bvh = bvh_build(shapes.flats, shapes.flat_count, shapes.spheres, shapes.sphere_count, &error);
     assert_non_null(bvh);
     assert_string_equal(error.message, "");
-    return bvh;
+    return own_bvh(bvh);
 }
 
 static inline float between(Rng *rng, float low, float high)

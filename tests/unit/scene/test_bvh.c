@@ -110,7 +110,6 @@ static void check_random_rays(Rng *rng, int count)
             ray.direction = vec3(0.0f, i % 8 == 2 ? 2.0f : -2.0f, -0.0f);
         check_ray(bvh, &ray, i % 3 == 0 ? 0.3f : 0.0f);
     }
-    bvh_free(bvh);
 }
 
 TEST(test_random_scenes)
@@ -165,5 +164,4 @@ TEST(test_all_in_a_plane)
         Ray ray = {vec3(between(&rng, -2, 2), 0.25f, -2), vec3(rng_float(&rng), 0, 1), NO_PRIMITIVE};
         assert_false(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE)); // a flat has no thickness
     }
-    bvh_free(bvh);
 }

@@ -80,7 +80,6 @@ TEST(photons_and_samples_agree)
             assert_true(w == 3 || mean_value(&sampled) > 0.1);
         }
     }
-    scene_free(scene);
 }
 
 static double mean_irradiance(const Light *light, Vec3 point, Vec3 normal)
@@ -184,7 +183,6 @@ TEST(samples_lie_on_the_light)
         else
             assert_within(vec3_dot(at, light->direction), 0.0, 2e-6, "height over the rectangle");
     }
-    scene_free(scene);
 }
 
 // Φ = πAL both ways; A of a rectangle |u × v|, of a sphere 4πR².
@@ -213,7 +211,6 @@ TEST(power_and_radiance)
         }
     }
     assert_within(angle_between(scene->lights[0].direction, vec3(0, 0, 1)), 0.0, 1e-5, "u x v");
-    scene_free(scene);
 }
 
 AROUND_TESTS(load_reference_steps, NULL)

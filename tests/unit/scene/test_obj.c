@@ -4,19 +4,19 @@
 #include "unit/test.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #define SQUARE "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+
+FREED_AT_END(own_mesh, ObjMesh, obj_free)
 
 static ObjMesh read_fine(const char *text)
 {
     ObjMesh mesh;
     Error error = {""};
-    if (!obj_read_text(text, strlen(text), "test.obj", &mesh, &error)) {
-        obj_free(&mesh);
+    bool read = obj_read_text(text, strlen(text), "test.obj", &mesh, &error);
+    own_mesh(kept(&mesh, sizeof mesh));
+    if (!read)
         fail_msg("%s", error.message);
-    }
     return mesh;
 }
 
@@ -41,7 +41,6 @@ TEST(test_kinds_of_corners)
     assert_int_equal(mesh.triangles[3].normal[2], 1);
     assert_int_equal(mesh.triangles[4].normal[0], OBJ_NONE); // one corner without: none at all
     assert_true(mesh.normals[1].z == 1.0f);                  // made unit
-    obj_free(&mesh);
 }
 
 TEST(test_negative_indices)
@@ -50,7 +49,6 @@ TEST(test_negative_indices)
     ObjMesh mesh = read_fine(SQUARE "f -4 -3 -2\nv 9 9 9\nf -5 -4 -2\n");
     assert_triangle(&mesh, 0, 0, 1, 2);
     assert_triangle(&mesh, 1, 0, 1, 3);
-    obj_free(&mesh);
 }
 
 TEST(test_polygons)
@@ -60,12 +58,10 @@ TEST(test_polygons)
     assert_triangle(&mesh, 0, 0, 1, 2);
     assert_triangle(&mesh, 1, 0, 2, 3);
     assert_triangle(&mesh, 4, 0, 3, 4);
-    obj_free(&mesh);
     // A corner in the middle of a side makes a triangle without area, which is left out.
     mesh = read_fine(SQUARE "v 0.5 0 0\nf 1 5 2 3 4\n");
     assert_int_equal(mesh.triangle_count, 2);
     assert_triangle(&mesh, 0, 0, 1, 2);
-    obj_free(&mesh);
 }
 
 TEST(test_layout)
@@ -83,7 +79,6 @@ TEST(test_layout)
         assert_int_equal(mesh.triangle_count, 1);
         assert_triangle(&mesh, 0, 0, 1, 2);
         assert_true(mesh.points[2].x == 1.0f && mesh.points[2].y == 1.0f && mesh.points[2].z == 0.0f);
-        obj_free(&mesh);
     }
 }
 
@@ -98,7 +93,6 @@ TEST(test_materials)
     const uint32_t materials[4] = {OBJ_NONE, 0, 1, 0};
     for (size_t i = 0; i < 4; i++)
         assert_int_equal(mesh.triangles[i].material, materials[i]);
-    obj_free(&mesh);
 }
 
 // Numbers come out as the C library reads them, to the last bit of a float.
@@ -159,6 +153,5 @@ TEST(test_many)
     assert_int_equal(mesh.triangle_count, POINTS - 2);
     assert_triangle(&mesh, POINTS - 3, POINTS - 3, POINTS - 2, POINTS - 1);
     assert_true(mesh.points[12345].x == 12345.25f);
-    obj_free(&mesh);
     free(text);
 }

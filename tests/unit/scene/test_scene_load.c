@@ -16,14 +16,12 @@ TEST(test_settings)
     RenderSettings s = scene->settings;
     assert_true(s.width == 512 && s.height == 512 && s.samples == 4 && s.photons == 500000 && s.k == 100 &&
                 s.radius == 0 && s.depth == 32);
-    scene_free(scene);
     scene = load_text(CAMERA LIGHT
                       "render: {width: 3, height: 4, samples: 5, photons: 600000000, k: 7, radius: 0.5, depth: 9}\n",
                       NULL);
     s = scene->settings;
     assert_true(s.width == 3 && s.height == 4 && s.samples == 5 && s.photons == 600000000 && s.k == 7 &&
                 s.radius == 0.5f && s.depth == 9);
-    scene_free(scene);
 }
 
 TEST(test_camera)
@@ -41,7 +39,6 @@ TEST(test_camera)
         }
     Ray wide = camera_ray(&scene->camera, 1, 0.5f, 2); // twice as wide as high: the vertical field stays
     assert_near(wide.direction.x / -wide.direction.z, 2 * t, 1e-5);
-    scene_free(scene);
 }
 
 TEST(test_materials)
@@ -71,7 +68,6 @@ TEST(test_materials)
     assert_near(m[6].index[2], 1.813689, 1e-6);
     assert_near(m[7].index[1], 1.504583 + 0.0042176 / (0.54913 * 0.54913), 1e-5);
     assert_true(m[6].disperses && m[7].disperses);
-    scene_free(scene);
 }
 
 TEST(test_lights)
@@ -111,7 +107,6 @@ TEST(test_lights)
     assert_string_equal(own->name, "light 6");
     assert_true(own->type == MATERIAL_LIGHT && own->radiance.r == l[5].radiance.r);
     assert_string_equal(scene->materials[scene->flats[0].material].name, "light 2");
-    scene_free(scene);
 }
 
 static const Material *seen_at(const Scene *scene, float x, float y, Hit *hit)
@@ -136,7 +131,6 @@ TEST(test_box_scenes)
         assert_int_equal(seen_at(scene, 0.36f, 0.72f, &hit)->type, left[i]);
         assert_int_equal(seen_at(scene, 0.65f, 0.75f, &hit)->type, right[i]);
         assert_int_equal(hit.primitive, scene->flat_count + 1);
-        scene_free(scene);
     }
 }
 
@@ -155,5 +149,4 @@ TEST(test_cornell_box)
             assert_non_null(material);
             assert_true(hit.entering);
         }
-    scene_free(scene);
 }

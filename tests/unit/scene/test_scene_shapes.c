@@ -31,15 +31,12 @@ TEST(test_shapes_are_closed)
     Scene *scene = load_shape("type: box, low: [-1, 2, 3], high: [1, 5, 7]");
     assert_int_equal(scene->flat_count, 6);
     assert_near(enclosed_volume(scene), 2 * 3 * 4, 1e-4);
-    scene_free(scene);
     scene = load_shape("type: box, low: [-1, 2, 3], high: [1, 5, 7], rotate_y: 33");
     assert_near(enclosed_volume(scene), 2 * 3 * 4, 1e-4);
-    scene_free(scene);
     scene =
         load_shape("type: prism, apex: [1, 2, 3], axis: [1, 2, 0], down: [0, -3, 1], angle: 60, side: 2, length: 5");
     assert_int_equal(scene->flat_count, 5);
     assert_near(enclosed_volume(scene), 0.5 * 2 * 2 * sin(3.14159265 / 3) * 5, 1e-4);
-    scene_free(scene);
 }
 
 TEST(test_box_turns_counter_clockwise)
@@ -47,7 +44,6 @@ TEST(test_box_turns_counter_clockwise)
     // About y, +x goes towards −z: the box's low corner (−1, −1) in x and z comes to lie at −1, +1.
     Scene *scene = load_shape("type: box, low: [-1, 0, -1], high: [1, 1, 1], rotate_y: 90");
     assert_vector(scene->flats[0].origin, -1, 0, 1);
-    scene_free(scene);
 }
 
 TEST(test_prism_place)
@@ -65,7 +61,6 @@ TEST(test_prism_place)
     }
     assert_vector(lowest, -1, 0, -2);
     assert_vector(highest, 1, 1, 2);
-    scene_free(scene);
 }
 
 // A scene with one mesh, whose text is `obj`; `keys` are put behind the file's name.
@@ -94,7 +89,6 @@ TEST(test_mesh_place)
     assert_vector(flat->edge_u, 0, 2, 0); // y →(about x) z →(about y) x →(about z) y
     assert_vector(flat->edge_v, 2, 0, 0); // z →(about x) −y →(about y) −y →(about z) x
     assert_true(flat->is_triangle);
-    scene_free(scene);
 }
 
 TEST(test_mesh_materials)
@@ -104,10 +98,8 @@ TEST(test_mesh_materials)
     assert_int_equal(scene->flat_count, 2);
     assert_int_equal(scene->flats[0].material, 0);
     assert_int_equal(scene->flats[1].material, 1);
-    scene_free(scene);
     scene = load_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl shiny\nf 1 3 2\n", "");
     assert_int_equal(scene->flats[0].material, 1);
-    scene_free(scene);
 }
 
 TEST(test_mesh_normals)
@@ -123,5 +115,4 @@ TEST(test_mesh_normals)
     assert_int_equal(scene->flats[3].normals, 4);
     assert_vector(scene->normals[0], 0, 0.6f, 0.8f);
     assert_vector(scene->normals[1], -0.6f, 0, 0.8f);
-    scene_free(scene);
 }

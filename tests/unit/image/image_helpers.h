@@ -1,0 +1,30 @@
+// What the tests of images share: images that are freed at the test's end, and what an error says.
+#ifndef PHOTONLAB_TESTS_IMAGE_HELPERS_H
+#define PHOTONLAB_TESTS_IMAGE_HELPERS_H
+
+#include "image/image.h"
+#include "unit/test.h"
+
+FREED_AT_END(own_image, Image, image_free)
+
+static inline Image make_image(int width, int height)
+{
+    Image image;
+    assert_true(image_create(&image, width, height, NULL));
+    return *own_image(kept(&image, sizeof image));
+}
+
+static inline Image image_of_file(const char *path)
+{
+    Image image;
+    assert_true(image_read(&image, path, NULL));
+    return *own_image(kept(&image, sizeof image));
+}
+
+static inline void assert_message(const Error *error, const char *part)
+{
+    if (!strstr(error->message, part))
+        fail_msg("\"%s\" does not say \"%s\"", error->message, part);
+}
+
+#endif
