@@ -13,12 +13,12 @@ void app_moved(App *app)
     session_stop_render(&app->session); // it shows another view
 }
 
-void app_drag(App *app, int button, bool shift, float right, float down)
+void app_drag(App *app, float right, float down)
 {
     View *view = &app->view;
     right /= (float)app->height;
     down /= (float)app->height;
-    if (button == 0 && !shift && view_type(view)->place != ON_A_SHEET) {
+    if (app->button == 0 && !app->drag_shift && view_type(view)->place != ON_A_SHEET) {
         orbit_turn(&view->orbit, 4.0f * right, 4.0f * down);
     } else if (view_type(view)->place != IN_THE_SCENE) {
         view->framing.right -= right / view->framing.zoom;
@@ -39,11 +39,12 @@ void app_scroll(App *app, float notches)
     app_moved(app);
 }
 
-void app_resize(App *app)
+void app_resize(App *app, int width, int height)
 {
     Error error = {""};
-    window_framebuffer_size(app->window, &app->width, &app->height);
-    if (app->width > 0 && app->height > 0 && !canvas_resize(app->canvas, app->width, app->height, &error))
+    app->width = width;
+    app->height = height;
+    if (width > 0 && height > 0 && !canvas_resize(app->canvas, width, height, &error))
         fprintf(stderr, "%s\n", error.message);
     session_stop_render(&app->session);
     app->dirty = true;

@@ -11,9 +11,16 @@ typedef struct {
     Canvas *canvas;
     Session session;
     View view;
-    int width, height; // of the framebuffer, pixels
+    int width, height; // of the framebuffer, pixels; 0 when the window is an icon
 
-    int key;               // that was pressed last
+    int key;                 // that is acted on: GLFW's number, or the lower-case character that it writes
+    int last_key;            // GLFW's
+    bool repeat;             // it is still held down
+    int button;              // that drags: 0 left, 1 right, 2 middle; −1: none
+    bool drag_shift;         // the shift key was down when that began
+    bool mouse_known;        // since when it has been where it last was
+    double mouse_x, mouse_y; // in GLFW's units
+
     bool dirty;            // something to draw
     bool moving;           // the camera moves, or has just done so: few points are drawn
     double moved_at;       // clock_seconds
@@ -30,14 +37,14 @@ typedef struct {
 
 #define MOVING_POINTS 50000 // photons drawn while the camera moves
 
-// key: a lower-case character or WINDOW_…; `repeat`: it is still held down.
-void app_key(App *app, int key, bool repeat);
+void app_listen(App *app); // has GLFW call these:
+void app_key(App *app, int key);
+void app_drag(App *app, float right, float down); // pixels
+void app_scroll(App *app, float notches);         // > 0: away from the user, nearer to the scene
+void app_resize(App *app, int width, int height);
+
 const char *app_key_list(void); // what each key does, in lines
-// Pixels, of the mouse; button 0 left, 1 right, 2 middle.
-void app_drag(App *app, int button, bool shift, float right, float down);
-void app_scroll(App *app, float notches); // > 0: nearer
-void app_resize(App *app);
-void app_moved(App *app); // to be called when the camera did
+void app_moved(App *app);       // to be called when the camera did
 
 // Turns on while --orbit lasts; prints "orbit: F frames a second, with N photons drawn" at its end.
 void app_turn_by_itself(App *app, double now);

@@ -80,8 +80,8 @@ static void choose_view(App *app)
 // Arrows change what the present view chooses.
 static void choose_within(App *app)
 {
-    bool sideways = app->key == WINDOW_LEFT || app->key == WINDOW_RIGHT;
-    int step = app->key == WINDOW_RIGHT || app->key == WINDOW_UP ? 1 : -1;
+    bool sideways = app->key == GLFW_KEY_LEFT || app->key == GLFW_KEY_RIGHT;
+    int step = app->key == GLFW_KEY_RIGHT || app->key == GLFW_KEY_UP ? 1 : -1;
     if (view_type(&app->view)->choose)
         view_type(&app->view)->choose(&app->view, app->session.data[YOURS], sideways, step);
     session_need(&app->session);
@@ -134,7 +134,7 @@ static void look_as_at_first(App *app)
 
 static void quit(App *app)
 {
-    app->quit = app->key != WINDOW_ESCAPE || !app->view.help; // escape closes what is open, before it closes all
+    app->quit = app->key != GLFW_KEY_ESCAPE || !app->view.help; // escape closes what is open, before it closes all
     app->view.help = false;
 }
 
@@ -191,7 +191,7 @@ static const struct {
     {"c", "colour by power, photon, bounce, material", next_colour, .keys = {'c'}},
     {"b", "the reference beside yours", toggle_split, .keys = {'b'}},
     {.act = choose_within,
-     .keys = {WINDOW_LEFT, WINDOW_RIGHT, WINDOW_UP, WINDOW_DOWN},
+     .keys = {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN},
      .held = true,
      .list = list_choices},
     {"mouse", "left: turn. right: move. wheel: near, far", NULL, .keys = {0}},
@@ -205,7 +205,7 @@ static const struct {
     {"s", "snapshot", save_snapshot, .keys = {'s'}, .beside = true},
     {"o", "report", open_report, .keys = {'o'}, .beside = true},
     {"h", "this list", toggle_list, .keys = {'h'}},
-    {"q, esc", "quit", quit, .keys = {'q', WINDOW_ESCAPE}, .beside = true},
+    {"q, esc", "quit", quit, .keys = {'q', GLFW_KEY_ESCAPE}, .beside = true},
 };
 enum { KEY_COUNT = sizeof KEYS / sizeof *KEYS };
 
@@ -224,23 +224,22 @@ const char *app_key_list(void)
     return text;
 }
 
-static bool act(App *app, bool repeat)
+static bool act(App *app)
 {
     for (int i = 0; i < KEY_COUNT; i++)
         for (int j = 0; j < 4; j++)
-            if (KEYS[i].keys[j] == app->key && KEYS[i].act && (!repeat || KEYS[i].held)) {
+            if (KEYS[i].keys[j] == app->key && KEYS[i].act && (!app->repeat || KEYS[i].held)) {
                 KEYS[i].act(app);
                 return true;
             }
-    if (repeat || app->key < '1' || app->key >= '1' + VIEW_COUNT)
-        return !repeat && toggle_setting(app);
+    if (app->repeat || app->key < '1' || app->key >= '1' + VIEW_COUNT)
+        return !app->repeat && toggle_setting(app);
     choose_view(app);
     return true;
 }
 
-void app_key(App *app, int key, bool repeat)
+void app_key(App *app, int key)
 {
     app->key = key;
-    if (act(app, repeat))
-        app->dirty = true;
+    app->dirty |= act(app);
 }

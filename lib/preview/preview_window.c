@@ -11,33 +11,6 @@
 #define REST_SECONDS   0.05 // without a movement: all photons are drawn
 #define FLIGHT_SECONDS 8.0  // of slow light across the scene, thrice
 
-static void take_events(App *app)
-{
-    WindowEvent event;
-    while (window_next_event(app->window, &event)) {
-        switch (event.type) {
-        case WINDOW_EVENT_KEY:
-            app_key(app, event.key, event.repeat);
-            break;
-        case WINDOW_EVENT_DRAG:
-            app_drag(app, event.button, event.shift, event.x, event.y);
-            break;
-        case WINDOW_EVENT_SCROLL:
-            app_scroll(app, event.y);
-            break;
-        case WINDOW_EVENT_RESIZE:
-            app_resize(app);
-            break;
-        case WINDOW_EVENT_REFRESH:
-            app->dirty = true;
-            break;
-        case WINDOW_EVENT_CLOSE:
-            app->quit = true;
-            break;
-        }
-    }
-}
-
 // Slow light goes on until the last photon has landed, and starts again.
 static void advance_flight(App *app, double now)
 {
@@ -64,7 +37,7 @@ static void draw(App *app)
     view.most_points = is_hurried(app) ? MOVING_POINTS : 0;
     session_draw(&app->session, &view, app_key_list());
     canvas_present(app->canvas, app->width, app->height);
-    window_swap(app->window);
+    glfw.glfwSwapBuffers(app->window);
     app->dirty = false;
     app->frames++;
 }
@@ -84,8 +57,10 @@ static void turn(App *app)
 {
     bool active = session_is_busy(&app->session) || app->session.runs[RUN_RENDER][YOURS] || app->moving ||
                   app->flying || app->turning;
-    window_wait(app->window, app->turning ? 0.0 : active ? BUSY_WAIT : IDLE_WAIT);
-    take_events(app);
+    if (app->turning)
+        glfw.glfwPollEvents();
+    else
+        glfw.glfwWaitEventsTimeout(active ? BUSY_WAIT : IDLE_WAIT);
     bool news = session_poll(&app->session);
     double now = clock_seconds();
     app->dirty = app->dirty || news;
@@ -112,11 +87,12 @@ static bool start(App *app, const Scene *scene, const PreviewOptions *options, B
 {
     app->scene = scene;
     app->view = options->view;
-    window_framebuffer_size(app->window, &app->width, &app->height);
+    glfw.glfwGetFramebufferSize(app->window, &app->width, &app->height);
     app->canvas = canvas_create(window_loader(), app->width, app->height, error);
     if (!app->canvas || !session_start(&app->session, scene, options, &app->view, broker, app->canvas, error))
         return false;
     app->dirty = app->session.timed = true;
+    app_listen(app);
     return true;
 }
 

@@ -1,11 +1,9 @@
-#include "preview/window_internal.h"
+#include "preview/window.h"
 #include "preview/draw/context/library.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-Glfw window_glfw;
-#define glfw window_glfw
+Glfw glfw;
 
 #define WHAT_TO_INSTALL                                                                                                \
     "Debian, Ubuntu: apt-get install libglfw3; Fedora: dnf install glfw; Arch: pacman -S glfw; macOS: brew install glfw"
@@ -37,7 +35,7 @@ static const char *reason(void)
     return text ? text : "for reasons that GLFW does not tell";
 }
 
-static GLFWwindow *open_window(const char *title, int width, int height)
+static Window *open_window(const char *title, int width, int height)
 {
     glfw.glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfw.glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -54,25 +52,20 @@ static GLFWwindow *open_window(const char *title, int width, int height)
 
 Window *window_create(const char *title, int width, int height, Error *error)
 {
-    Window *window = NULL;
     if (!load(error))
         return NULL;
     if (!glfw.glfwInit()) {
         error_set(error, "no display: %s", reason());
         return NULL;
     }
-    if (!(window = calloc(1, sizeof *window)))
-        error_set(error, "not enough memory");
-    else if (!(window->handle = open_window(title, width, height)))
+    Window *window = open_window(title, width, height);
+    if (!window) {
         error_set(error, "no window with OpenGL 3.3: %s", reason());
-    if (!window || !window->handle) {
         glfw.glfwTerminate();
-        free(window);
         return NULL;
     }
-    glfw.glfwMakeContextCurrent(window->handle);
+    glfw.glfwMakeContextCurrent(window);
     glfw.glfwSwapInterval(0); // frames are few, and waiting for the screen would only make the mouse lag
-    window_listen(window);
     return window;
 }
 
@@ -80,9 +73,8 @@ void window_free(Window *window)
 {
     if (!window)
         return;
-    glfw.glfwDestroyWindow(window->handle);
+    glfw.glfwDestroyWindow(window);
     glfw.glfwTerminate();
-    free(window);
 }
 
 static void *address_of(const char *name)
@@ -96,22 +88,4 @@ static void *address_of(const char *name)
 GlLoader window_loader(void)
 {
     return address_of;
-}
-
-void window_framebuffer_size(const Window *window, int *width, int *height)
-{
-    glfw.glfwGetFramebufferSize(window->handle, width, height);
-}
-
-void window_wait(Window *window, double seconds)
-{
-    if (seconds > 0 && window->waiting == 0)
-        glfw.glfwWaitEventsTimeout(seconds);
-    else
-        glfw.glfwPollEvents();
-}
-
-void window_swap(Window *window)
-{
-    glfw.glfwSwapBuffers(window->handle);
 }

@@ -1,0 +1,96 @@
+// What GLFW tells of keys and mouse, while it waits or polls.
+#include "preview/app.h"
+
+static App *app_of(Window *window)
+{
+    return glfw.glfwGetWindowUserPointer(window);
+}
+
+static void on_key(Window *window, int key, int scancode, int action, int modifiers)
+{
+    (void)scancode, (void)modifiers;
+    App *app = app_of(window);
+    if (action == GLFW_RELEASE)
+        return;
+    app->last_key = key;
+    app->repeat = action == GLFW_REPEAT;
+    if (key >= GLFW_KEY_ESCAPE) // it writes nothing
+        app_key(app, key);
+}
+
+// Comes after on_key for the same key: by the user's own keyboard layout.
+static void on_character(Window *window, unsigned character)
+{
+    App *app = app_of(window);
+    int key = (int)character;
+    if (character > 126) { // a keyboard that writes another script: the letter that is printed there in Latin
+        if (app->last_key < GLFW_KEY_A || app->last_key > GLFW_KEY_Z)
+            return;
+        key = app->last_key;
+    }
+    if (key >= 'A' && key <= 'Z')
+        key += 'a' - 'A';
+    app_key(app, key == '=' ? '+' : key); // one key on many keyboards
+}
+
+static void on_button(Window *window, int button, int action, int modifiers)
+{
+    App *app = app_of(window);
+    if (action == GLFW_PRESS && app->button < 0 && button <= GLFW_MOUSE_BUTTON_MIDDLE) {
+        app->button = button;
+        app->drag_shift = modifiers & GLFW_MOD_SHIFT;
+    } else if (action == GLFW_RELEASE && button == app->button) {
+        app->button = -1;
+    }
+}
+
+// The mouse comes in units of the screen, of which a fine display has fewer than pixels.
+static void on_movement(Window *window, double x, double y)
+{
+    App *app = app_of(window);
+    double right = x - app->mouse_x, down = y - app->mouse_y;
+    bool known = app->mouse_known;
+    app->mouse_x = x;
+    app->mouse_y = y;
+    app->mouse_known = true;
+    int width, height;
+    glfw.glfwGetWindowSize(window, &width, &height);
+    if (app->button >= 0 && known && width > 0 && height > 0)
+        app_drag(app, (float)(right * app->width / width), (float)(down * app->height / height));
+}
+
+static void on_scroll(Window *window, double right, double up)
+{
+    (void)right;
+    app_scroll(app_of(window), (float)up);
+}
+
+static void on_size(Window *window, int width, int height)
+{
+    app_resize(app_of(window), width, height);
+}
+
+// What was shown is lost.
+static void on_refresh(Window *window)
+{
+    app_of(window)->dirty = true;
+}
+
+static void on_close(Window *window)
+{
+    app_of(window)->quit = true;
+}
+
+void app_listen(App *app)
+{
+    app->button = -1;
+    glfw.glfwSetWindowUserPointer(app->window, app);
+    glfw.glfwSetKeyCallback(app->window, on_key);
+    glfw.glfwSetCharCallback(app->window, on_character);
+    glfw.glfwSetMouseButtonCallback(app->window, on_button);
+    glfw.glfwSetCursorPosCallback(app->window, on_movement);
+    glfw.glfwSetScrollCallback(app->window, on_scroll);
+    glfw.glfwSetFramebufferSizeCallback(app->window, on_size);
+    glfw.glfwSetWindowRefreshCallback(app->window, on_refresh);
+    glfw.glfwSetWindowCloseCallback(app->window, on_close);
+}
