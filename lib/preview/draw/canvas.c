@@ -21,46 +21,6 @@ static const char FRAGMENT_SHADER[] = "#version 330 core\n"
                                       "layout(location = 0) out vec4 result;\n"
                                       "void main() { result = shade; }\n";
 
-// The four corners of the unit square, put in place.
-static const char PICTURE_VERTEX_SHADER[] = "#version 330 core\n"
-                                            "uniform vec4 place;\n"
-                                            "out vec2 at;\n"
-                                            "void main() {\n"
-                                            "    at = vec2(gl_VertexID % 2, gl_VertexID / 2);\n"
-                                            "    gl_Position = vec4(place.xy + at * place.zw, 0.0, 1.0);\n"
-                                            "}\n";
-static const char PICTURE_FRAGMENT_SHADER[] = "#version 330 core\n"
-                                              "in vec2 at;\n"
-                                              "uniform sampler2D picture;\n"
-                                              "layout(location = 0) out vec4 result;\n"
-                                              "void main() { result = texture(picture, at); }\n";
-
-static bool make_programs(Canvas *canvas, Error *error)
-{
-    const Gl *gl = &canvas->gl;
-    canvas->program = gl_program(gl, VERTEX_SHADER, FRAGMENT_SHADER, error);
-    canvas->picture_program = gl_program(gl, PICTURE_VERTEX_SHADER, PICTURE_FRAGMENT_SHADER, error);
-    if (!canvas->program || !canvas->picture_program)
-        return false;
-    canvas->projection = gl->GetUniformLocation(canvas->program, "projection");
-    canvas->exposure = gl->GetUniformLocation(canvas->program, "exposure");
-    canvas->place = gl->GetUniformLocation(canvas->picture_program, "place");
-    return true;
-}
-
-static void make_texture(Canvas *canvas)
-{
-    const Gl *gl = &canvas->gl;
-    gl->GenVertexArrays(1, &canvas->no_array);
-    gl->GenTextures(1, &canvas->texture);
-    gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D, canvas->texture);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
 // Software OpenGL takes and frees tens of megabytes with every frame. Handed back to the system, they would come again
 // page by page, zeroed: a quarter of the time of a frame.
 static void keep_freed_memory(void)
@@ -87,19 +47,21 @@ Canvas *canvas_create(GlLoader loader, int width, int height, Error *error)
     const Gl *gl = &canvas->gl;
     gl->GenFramebuffers(1, &canvas->framebuffer);
     gl->GenRenderbuffers(1, &canvas->colour);
-    gl->GenRenderbuffers(1, &canvas->depth);
-    make_texture(canvas);
-    if (!make_programs(canvas, error) || !canvas_resize(canvas, width, height, error)) {
+    gl->GenFramebuffers(1, &canvas->picture);
+    gl->GenTextures(1, &canvas->texture);
+    canvas->program = gl_program(gl, VERTEX_SHADER, FRAGMENT_SHADER, error);
+    if (!canvas->program || !canvas_resize(canvas, width, height, error)) {
         canvas_free(canvas);
         return NULL;
     }
+    canvas->projection = gl->GetUniformLocation(canvas->program, "projection");
+    canvas->exposure = gl->GetUniformLocation(canvas->program, "exposure");
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->DepthFunc(GL_LEQUAL);
     gl->Disable(GL_DITHER);
     gl->Disable(GL_MULTISAMPLE);
     gl->Enable(GL_BLEND);
-    canvas_begin(canvas);
+    canvas_begin(canvas, (const uint8_t[4]){0, 0, 0, 255});
     return canvas;
 }
 
@@ -111,21 +73,10 @@ void canvas_free(Canvas *canvas)
     vertex_buffer_free(canvas, &canvas->stream);
     gl->DeleteFramebuffers(1, &canvas->framebuffer);
     gl->DeleteRenderbuffers(1, &canvas->colour);
-    gl->DeleteRenderbuffers(1, &canvas->depth);
+    gl->DeleteFramebuffers(1, &canvas->picture);
     gl->DeleteTextures(1, &canvas->texture);
-    gl->DeleteVertexArrays(1, &canvas->no_array);
     gl->DeleteProgram(canvas->program);
-    gl->DeleteProgram(canvas->picture_program);
-    free(canvas->text);
     free(canvas);
-}
-
-static void size_renderbuffer(const Gl *gl, unsigned buffer, unsigned format, unsigned attachment, int width,
-                              int height)
-{
-    gl->BindRenderbuffer(GL_RENDERBUFFER, buffer);
-    gl->RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
 }
 
 // True when OpenGL has such a framebuffer and the memory for it.
@@ -135,8 +86,9 @@ static bool size_framebuffer(Canvas *canvas, int width, int height)
     while (gl->GetError()) // of earlier days
         ;
     gl->BindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
-    size_renderbuffer(gl, canvas->colour, GL_RGBA8, GL_COLOR_ATTACHMENT0, width, height);
-    size_renderbuffer(gl, canvas->depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, width, height);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, canvas->colour);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, canvas->colour);
     return gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && gl->GetError() == 0;
 }
 
@@ -155,25 +107,16 @@ bool canvas_resize(Canvas *canvas, int width, int height, Error *error)
     }
     canvas->width = width;
     canvas->height = height;
-    canvas->view = canvas_flat_view(canvas);
     return true;
 }
 
-void canvas_background(Canvas *canvas, uint8_t red, uint8_t green, uint8_t blue)
-{
-    canvas->background[0] = (float)red / 255.0f;
-    canvas->background[1] = (float)green / 255.0f;
-    canvas->background[2] = (float)blue / 255.0f;
-}
-
-void canvas_begin(Canvas *canvas)
+void canvas_begin(Canvas *canvas, const uint8_t *rgba)
 {
     const Gl *gl = &canvas->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
     gl->Disable(GL_SCISSOR_TEST);
-    gl->DepthMask(1);
-    gl->ClearColor(canvas->background[0], canvas->background[1], canvas->background[2], 1.0f);
-    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl->ClearColor((float)rgba[0] / 255.0f, (float)rgba[1] / 255.0f, (float)rgba[2] / 255.0f, (float)rgba[3] / 255.0f);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
     gl->Enable(GL_SCISSOR_TEST);
     gl->UseProgram(canvas->program);
     canvas->view = canvas_flat_view(canvas);

@@ -1,6 +1,6 @@
 // Drawing: points, lines, triangles and text into a picture in the graphics memory. The same calls in a window and
 // without a display, and the same bytes from OSMesa, EGL and GLFW under software OpenGL: everything goes into a
-// framebuffer object of our own, RGBA8 with a 24-bit depth buffer.
+// framebuffer object of our own, RGBA8. What is drawn later covers what is there.
 #ifndef PHOTONLAB_PREVIEW_CANVAS_H
 #define PHOTONLAB_PREVIEW_CANVAS_H
 
@@ -26,16 +26,14 @@ Canvas *canvas_create(GlLoader loader, int width, int height, Error *error);
 void canvas_free(Canvas *canvas);
 bool canvas_resize(Canvas *canvas, int width, int height, Error *error);
 
-void canvas_background(Canvas *canvas, uint8_t red, uint8_t green, uint8_t blue); // black at first
-void canvas_begin(Canvas *canvas);                                                // clears all
+void canvas_begin(Canvas *canvas, const uint8_t *rgba); // clears all to this
 // What follows is drawn inside this rectangle (pixels, from the top left), seen by this camera.
 void canvas_view(Canvas *canvas, int left, int top, int width, int height, const float projection[16]);
 
-typedef enum { DRAW_POINTS, DRAW_LINES, DRAW_TRIANGLES } DrawKind;
+typedef enum { DRAW_POINTS = 0, DRAW_LINES = 1, DRAW_TRIANGLES = 4 } DrawKind; // OpenGL's numbers
 typedef struct {
     DrawKind kind;
-    bool additive;    // adds colour·alpha to what is there and writes no depth; otherwise covers (alpha blends)
-    bool no_depth;    // in front of everything
+    bool additive;    // adds colour·alpha to what is there; otherwise covers (alpha blends)
     float exposure;   // factor on colours; 0 counts as 1
     float point_size; // pixels; 0 counts as 1
 } DrawStyle;
@@ -58,8 +56,7 @@ void canvas_text(Canvas *canvas, float x, float y, float scale, const uint8_t *r
 float canvas_text_width(float scale, const char *text);
 void canvas_rectangle(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba);
 // A picture of RGBA bytes, row 0 at the top, stretched over the rectangle.
-void canvas_picture(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba, int columns,
-                    int rows);
+void canvas_picture(Canvas *canvas, int x, int y, int width, int height, const uint8_t *rgba, int columns, int rows);
 
 // Waits until all is drawn; RGBA rows from the top, width·height·4 bytes.
 void canvas_read(Canvas *canvas, uint8_t *rgba);

@@ -1,7 +1,9 @@
 // Buffers of vertices, and what is drawn flat over the picture.
 #include "preview/draw/canvas_internal.h"
 
-static void upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *vertices, size_t count, unsigned usage)
+#include <stdlib.h>
+
+void vertex_buffer_upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *vertices, size_t count)
 {
     const Gl *gl = &canvas->gl;
     if (!buffer->array) {
@@ -15,13 +17,8 @@ static void upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *vertices,
         gl->VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, 1, sizeof(Vertex), (const void *)offsetof(Vertex, r));
     }
     gl->BindBuffer(GL_ARRAY_BUFFER, buffer->buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (ptrdiff_t)(count * sizeof *vertices), vertices, usage);
+    gl->BufferData(GL_ARRAY_BUFFER, (ptrdiff_t)(count * sizeof *vertices), vertices, GL_STATIC_DRAW);
     buffer->count = count;
-}
-
-void vertex_buffer_upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *vertices, size_t count)
-{
-    upload(canvas, buffer, vertices, count, GL_STATIC_DRAW);
 }
 
 void vertex_buffer_free(Canvas *canvas, VertexBuffer *buffer)
@@ -34,8 +31,6 @@ void vertex_buffer_free(Canvas *canvas, VertexBuffer *buffer)
 static void set_style(Canvas *canvas, const DrawStyle *style)
 {
     const Gl *gl = &canvas->gl;
-    (style->no_depth ? gl->Disable : gl->Enable)(GL_DEPTH_TEST);
-    gl->DepthMask(!style->additive && !style->no_depth);
     // The picture itself stays opaque: alpha is kept at 1.
     gl->BlendFuncSeparate(GL_SRC_ALPHA, style->additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     gl->Uniform1f(canvas->exposure, style->exposure != 0 ? style->exposure : 1.0f);
@@ -45,22 +40,20 @@ static void set_style(Canvas *canvas, const DrawStyle *style)
 
 void vertex_buffer_draw(Canvas *canvas, const VertexBuffer *buffer, size_t first, size_t count, const DrawStyle *style)
 {
-    static const unsigned KINDS[] = {
-        [DRAW_POINTS] = GL_POINTS, [DRAW_LINES] = GL_LINES, [DRAW_TRIANGLES] = GL_TRIANGLES};
     if (first >= buffer->count || count == 0)
         return;
     if (count > buffer->count - first)
         count = buffer->count - first;
     set_style(canvas, style);
     canvas->gl.BindVertexArray(buffer->array);
-    canvas->gl.DrawArrays(KINDS[style->kind], (int)first, (int)count);
+    canvas->gl.DrawArrays(style->kind, (int)first, (int)count);
 }
 
 void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const DrawStyle *style)
 {
     if (count == 0)
         return;
-    upload(canvas, &canvas->stream, vertices, count, GL_STREAM_DRAW);
+    vertex_buffer_upload(canvas, &canvas->stream, vertices, count);
     vertex_buffer_draw(canvas, &canvas->stream, 0, count, style);
 }
 
@@ -69,16 +62,16 @@ static void draw_flat(Canvas *canvas, const Vertex *vertices, size_t count)
 {
     CanvasView flat = canvas_flat_view(canvas);
     canvas_use_view(canvas, &flat);
-    canvas_draw(canvas, vertices, count, &(DrawStyle){.kind = DRAW_TRIANGLES, .no_depth = true});
+    canvas_draw(canvas, vertices, count, &(DrawStyle){.kind = DRAW_TRIANGLES});
     canvas_use_view(canvas, &canvas->view);
 }
 
 void canvas_text(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text)
 {
     size_t count;
-    const Vertex *vertices = text_vertices(canvas, x, y, scale, rgba, text, &count);
-    if (count)
-        draw_flat(canvas, vertices, count);
+    Vertex *vertices = text_vertices(x, y, scale, rgba, text, &count);
+    draw_flat(canvas, vertices, count);
+    free(vertices);
 }
 
 void canvas_rectangle(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba)
@@ -91,20 +84,18 @@ void canvas_rectangle(Canvas *canvas, float x, float y, float width, float heigh
     draw_flat(canvas, vertices, 6);
 }
 
-void canvas_picture(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba, int columns,
-                    int rows)
+void canvas_picture(Canvas *canvas, int x, int y, int width, int height, const uint8_t *rgba, int columns, int rows)
 {
     const Gl *gl = &canvas->gl;
     CanvasView flat = canvas_flat_view(canvas);
     canvas_use_view(canvas, &flat);
-    set_style(canvas, &(DrawStyle){.kind = DRAW_TRIANGLES, .no_depth = true});
     gl->BindTexture(GL_TEXTURE_2D, canvas->texture);
     gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, columns, rows, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
-    gl->UseProgram(canvas->picture_program);
-    float across = 2.0f / (float)canvas->width, down = -2.0f / (float)canvas->height;
-    gl->Uniform4f(canvas->place, x * across - 1.0f, y * down + 1.0f, width * across, height * down);
-    gl->BindVertexArray(canvas->no_array);
-    gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    gl->UseProgram(canvas->program);
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, canvas->picture);
+    gl->FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, canvas->texture, 0);
+    // OpenGL's rows begin at the bottom: upside down.
+    gl->BlitFramebuffer(0, 0, columns, rows, x, canvas->height - y, x + width, canvas->height - y - height,
+                        GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
     canvas_use_view(canvas, &canvas->view);
 }

@@ -14,16 +14,15 @@
 
 // clang-format off
 #define GL_FUNCTIONS(X) \
-    X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BindTexture) \
-    X(BindVertexArray) X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData) X(CheckFramebufferStatus) X(Clear) \
-    X(ClearColor) X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteFramebuffers) \
-    X(DeleteProgram) X(DeleteRenderbuffers) X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) \
-    X(DepthMask) X(Disable) X(DrawArrays) X(Enable) X(EnableVertexAttribArray) X(Finish) \
-    X(FramebufferRenderbuffer) X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenTextures) \
-    X(GenVertexArrays) X(GetError) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetString) \
-    X(GetUniformLocation) X(LinkProgram) X(PixelStorei) X(PointSize) X(ReadPixels) X(RenderbufferStorage) \
-    X(Scissor) X(ShaderSource) X(TexImage2D) X(TexParameteri) X(Uniform1f) X(Uniform4f) X(UniformMatrix4fv) \
-    X(UseProgram) X(VertexAttribPointer) X(Viewport)
+    X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BindTexture) X(BindVertexArray) \
+    X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData) X(CheckFramebufferStatus) X(Clear) X(ClearColor) \
+    X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) \
+    X(DeleteRenderbuffers) X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(Disable) X(DrawArrays) \
+    X(Enable) X(EnableVertexAttribArray) X(Finish) X(FramebufferRenderbuffer) X(FramebufferTexture2D) \
+    X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenTextures) X(GenVertexArrays) X(GetError) \
+    X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetString) X(GetUniformLocation) X(LinkProgram) \
+    X(PixelStorei) X(PointSize) X(ReadPixels) X(RenderbufferStorage) X(Scissor) X(ShaderSource) X(TexImage2D) \
+    X(Uniform1f) X(UniformMatrix4fv) X(UseProgram) X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
 #define GL_MEMBER(name) __typeof__(&gl##name) name;

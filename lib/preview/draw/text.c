@@ -60,19 +60,6 @@ static char *printable(const char *text)
     return copy;
 }
 
-// Memory for so many, kept by the canvas.
-static Vertex *triangles_for(Canvas *canvas, size_t count)
-{
-    if (count > canvas->text_capacity) {
-        Vertex *larger = realloc(canvas->text, count * sizeof *larger);
-        if (!larger)
-            return NULL;
-        canvas->text = larger;
-        canvas->text_capacity = count;
-    }
-    return canvas->text;
-}
-
 // Puts the quad of four corners there as two triangles.
 static void put_quad(Vertex *triangles, const Vertex quad[4], float x, float y, float scale)
 {
@@ -84,14 +71,13 @@ static void put_quad(Vertex *triangles, const Vertex quad[4], float x, float y, 
     }
 }
 
-const Vertex *text_vertices(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text,
-                            size_t *count)
+Vertex *text_vertices(float x, float y, float scale, const uint8_t *rgba, const char *text, size_t *count)
 {
     *count = 0;
     char *letters = printable(text);
     size_t most = letters ? strlen(letters) * QUADS_PER_LETTER : 0;
     Vertex *quads = malloc((most * 4 + 1) * sizeof *quads);
-    Vertex *triangles = triangles_for(canvas, most * 6 + 1);
+    Vertex *triangles = malloc((most * 6 + 1) * sizeof *triangles);
     if (letters && quads && triangles) {
         unsigned char colour[4] = {rgba[0], rgba[1], rgba[2], rgba[3]};
         int made = stb_easy_font_print(0, 0, letters, colour, quads, (int)(most * 4 * sizeof *quads));
@@ -117,10 +103,9 @@ float canvas_text_width(float scale, const char *text)
 
 #else
 
-const Vertex *text_vertices(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text,
-                            size_t *count)
+Vertex *text_vertices(float x, float y, float scale, const uint8_t *rgba, const char *text, size_t *count)
 {
-    (void)canvas, (void)x, (void)y, (void)scale, (void)rgba, (void)text;
+    (void)x, (void)y, (void)scale, (void)rgba, (void)text;
     *count = 0;
     return NULL;
 }

@@ -97,7 +97,6 @@ void pane_look_at_scene(const Pane *pane)
 
 void pane_draw_cache(const Pane *pane, const Cache *cache, size_t first, size_t count, DrawStyle style)
 {
-    style.no_depth = true;
     vertex_buffer_draw(pane->canvas, &cache->buffer, first, count, &style);
 }
 
@@ -112,11 +111,12 @@ static void pane_draw(const Pane *pane)
 // As large as it fits.
 static void draw_picture(Canvas *canvas, const Captions *captions)
 {
-    float width = (float)canvas_width(canvas), height = (float)canvas_height(canvas);
+    int width = canvas_width(canvas), height = canvas_height(canvas);
     float columns = (float)captions->picture_columns, rows = (float)captions->picture_rows;
-    float scale = fminf(width / columns, height / rows);
-    canvas_picture(canvas, 0.5f * (width - scale * columns), 0.5f * (height - scale * rows), scale * columns,
-                   scale * rows, captions->picture, captions->picture_columns, captions->picture_rows);
+    float scale = fminf((float)width / columns, (float)height / rows);
+    int across = (int)(scale * columns + 0.5f), down = (int)(scale * rows + 0.5f);
+    canvas_picture(canvas, (width - across) / 2, (height - down) / 2, across, down, captions->picture,
+                   captions->picture_columns, captions->picture_rows);
 }
 
 void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *reference, const Captions *captions)
@@ -125,8 +125,7 @@ void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *refe
     bool split = view->split && reference && !captions->picture;
     int half = width / 2;
     Pane pane = {canvas, yours->scene, view, yours, 0, 0, split ? half : width, height, overlay_scale(canvas)};
-    canvas_background(canvas, 7, 9, 14);
-    canvas_begin(canvas);
+    canvas_begin(canvas, (const uint8_t[4]){7, 9, 14, 255});
     if (captions->picture && captions->picture_columns > 0 && captions->picture_rows > 0) {
         draw_picture(canvas, captions);
     } else {

@@ -7,6 +7,7 @@
 #include "unit/test.h"
 
 enum { WIDTH = 160, HEIGHT = 120 };
+static const uint8_t BLACK[4] = {0, 0, 0, 255};
 
 static Context *context;
 static uint8_t seen[4 * WIDTH * HEIGHT]; // what `look` read

@@ -1,4 +1,4 @@
-// Drawing without a display: shapes where they belong, light that adds up, depth.
+// Drawing without a display: shapes where they belong, light that adds up.
 #include "unit/preview/canvas_helpers.h"
 
 // A square of pixels [x, x+size)².
@@ -67,7 +67,7 @@ TEST(a_new_picture_is_black)
     canvas_rectangle(canvas, 0, 0, WIDTH, HEIGHT, (const uint8_t[4]){255, 255, 255, 255});
     look(canvas);
     assert_int_equal(count_all(), WIDTH * HEIGHT);
-    canvas_begin(canvas);
+    canvas_begin(canvas, BLACK);
     look(canvas);
     assert_int_equal(count_all(), 0);
     assert_pixel(0, 0, 0, 0, 0);
@@ -91,28 +91,6 @@ TEST(light_adds_up)
     assert_pixel(60, 50, 40, 20, 0); // alpha 51/255 = 1/5
     assert_pixel(70, 50, 25, 10, 0);
     assert_pixel(80, 50, 200, 80, 0);
-}
-
-TEST(what_is_near_hides_what_is_far)
-{
-    Canvas *canvas = new_canvas();
-    Vertex near[6], far[6];
-    square(near, 10, 10, -0.5f, 10, 200, 0, 0);
-    square(far, 5, 5, 0.5f, 20, 0, 0, 200);
-    const DrawStyle solid = {.kind = DRAW_TRIANGLES}, light = {.kind = DRAW_TRIANGLES, .additive = true},
-                    front = {.kind = DRAW_TRIANGLES, .no_depth = true};
-    canvas_draw(canvas, near, 6, &solid);
-    canvas_draw(canvas, far, 6, &light); // lights what is not hidden, and hides nothing itself
-    look(canvas);
-    assert_pixel(15, 15, 200, 0, 0);
-    assert_pixel(6, 6, 0, 0, 200);
-    square(far, 5, 5, 0.7f, 20, 0, 200, 0);
-    canvas_draw(canvas, far, 6, &solid);
-    look(canvas);
-    assert_pixel(6, 6, 0, 200, 0);
-    canvas_draw(canvas, far, 6, &front);
-    look(canvas);
-    assert_pixel(15, 15, 0, 200, 0);
 }
 
 TEST(a_glass_colour_lets_half_through)

@@ -51,7 +51,7 @@ TEST(words_stay_in_their_lines)
     assert_true(canvas_text_width(1, "photon\nx") == (float)width);
     assert_true(canvas_text_width(1, "\xc2\xb5") == canvas_text_width(1, "?"));
     assert_true(canvas_text_width(1, "0 ± 2") == canvas_text_width(1, "0 +- 2"));
-    canvas_begin(canvas);
+    canvas_begin(canvas, BLACK);
     canvas_text(canvas, 20, 30, 2, WHITE, "photon");
     look(canvas);
     assert_int_equal(count_all(), 4 * first);
@@ -90,7 +90,7 @@ TEST(a_canvas_changes_its_size)
     assert_true(canvas_resize(canvas, 33, 21, &error));
     assert_int_equal(canvas_width(canvas), 33);
     assert_int_equal(canvas_height(canvas), 21);
-    canvas_begin(canvas);
+    canvas_begin(canvas, BLACK);
     canvas_rectangle(canvas, 32, 20, 50, 50, (const uint8_t[4]){1, 2, 3, 255});
     memset(seen, 77, sizeof seen);
     canvas_read(canvas, seen);

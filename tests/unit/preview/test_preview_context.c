@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 enum { WIDTH = 160, HEIGHT = 120 };
+static const uint8_t BLACK[4] = {0, 0, 0, 255};
 
 // ---- The same bytes from everywhere ----
 
@@ -42,13 +43,13 @@ static bool draw_much(GlLoader loader, uint8_t *rgba)
             p[k] = (float)((random = random * 1664525u + 1013904223u) >> 8) / (float)(1 << 23) - 1.0f;
         vertices[i] = (Vertex){p[0], p[1], p[2], (uint8_t)random, (uint8_t)(random >> 8), (uint8_t)(random >> 16), 180};
     }
-    canvas_begin(canvas);
+    canvas_begin(canvas, BLACK);
     canvas_view(canvas, 3, 5, 140, 101, LENS);
     canvas_draw(canvas, vertices, 60, &(DrawStyle){.kind = DRAW_TRIANGLES});
     canvas_draw(canvas, vertices + 60, 200, &(DrawStyle){.kind = DRAW_LINES});
     canvas_draw(canvas, vertices, 3000, &(DrawStyle){.kind = DRAW_POINTS, .additive = true, .exposure = 0.37f});
     canvas_draw(canvas, vertices, 100, &(DrawStyle){.kind = DRAW_POINTS, .point_size = 3});
-    canvas_picture(canvas, 100.3f, 70.2f, 41.7f, 33.3f, (const uint8_t *)vertices, 13, 9);
+    canvas_picture(canvas, 100, 70, 42, 33, (const uint8_t *)vertices, 13, 9);
     canvas_text(canvas, 5, 5, 1, (const uint8_t[4]){255, 255, 255, 200}, "the same bytes");
     canvas_read(canvas, rgba);
     canvas_free(canvas);
