@@ -57,7 +57,7 @@ static const char help_end[] =
 
 typedef struct {
     const char *scene, *view, *colour, *camera, *framing, *size, *steps, *context, *photons_file, *reference_file;
-    bool every_save, frame, no_wireframe, split;
+    bool frame, no_wireframe, split;
     float flight;
     double settings[VIEW_COUNT][MOST_SETTINGS];
     PreviewOptions options;
@@ -115,12 +115,12 @@ static bool parse_names(Arguments *a)
     else if (a->context && strcmp(a->context, "egl") == 0)
         options->context = CONTEXT_EGL;
     else if (a->context && strcmp(a->context, "window") == 0)
-        options->hidden_context_is_window = true;
+        options->in_window = true;
     else if (a->context)
         error_set(&error, "--context %s: expected osmesa, egl or window", a->context);
     if (options->snapshot)
         image_path_is_known(options->snapshot, &error);
-    if (a->every_save && (!options->snapshot || !options->source))
+    if (options->every_save && (!options->snapshot || !options->source))
         error_set(&error, "--every-save: needs --snapshot, --watch and --build");
     if (a->photons_file && (!options->snapshot || options->source))
         error_set(&error, "--photons-file: needs --snapshot, and goes without --watch");
@@ -142,7 +142,7 @@ static int parse(int count, char **arguments, Arguments *a)
     PreviewOptions *o = &a->options;
     Flag flags[MOST_FLAGS] = {
         {"snapshot", FLAG_TEXT, &o->snapshot, 0, 0},
-        {"every-save", FLAG_PRESENT, &a->every_save, 0, 0},
+        {"every-save", FLAG_PRESENT, &o->every_save, 0, 0},
         {"view", FLAG_TEXT, &a->view, 0, 0},
         {"colour", FLAG_TEXT, &a->colour, 0, 0},
         {"split", FLAG_PRESENT, &a->split, 0, 0},
@@ -210,9 +210,7 @@ static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *
 static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *error)
 {
     PreviewOptions options = a->options;
-    if (a->every_save)
-        return preview_snapshots(scene, &options, broker, error);
-    if (options.snapshot && !options.source)
+    if (options.every_save || (options.snapshot && !options.source))
         return preview_snapshot(scene, &options, broker, error);
     bool no_window = false;
     if (!options.snapshot)
@@ -224,7 +222,8 @@ static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *
     printf("no window: %s\n%s is written anew on every save instead; ctrl-c ends it\n", error->message,
            options.snapshot);
     *error = (Error){""};
-    return preview_snapshots(scene, &options, broker, error);
+    options.every_save = true;
+    return preview_snapshot(scene, &options, broker, error);
 }
 
 static bool show_files(const Scene *scene, const Arguments *a, Error *error)

@@ -13,6 +13,7 @@ typedef struct {
     const char *build;    // shell command that makes an object of one file; see watch.h
     const char *report;   // what the key `o` opens; NULL: nothing
     const char *snapshot; // the picture to write
+    bool every_save;      // the same again after each, until the program is ended
     int width, height;    // pixels
     long photons;
     uint64_t seed;
@@ -22,8 +23,8 @@ typedef struct {
     StepChoice play;
     bool bare;           // no text in the picture
     float orbit_seconds; // the window turns by itself for so long, and tells how fast; 0: it does not
-    ContextKind context;
-    bool hidden_context_is_window; // draw the snapshot in a hidden window: --context window
+    ContextKind context; // a snapshot is drawn in
+    bool in_window;      // … in a hidden one: --context window
     View view;
     Recording *given;           // photons to show; NULL: those of a run. With view.split
     Recording *given_reference; // these, too. A snapshot takes their memory over, and runs nobody's code
@@ -32,10 +33,8 @@ typedef struct {
 // Opens the window and stays until it is closed. *no_window: the Error says why there is no window here.
 bool preview_window(const Scene *scene, const PreviewOptions *options, Broker *broker, bool *no_window, Error *error);
 
-// One picture into options->snapshot, by nobody's display.
+// A picture into options->snapshot, by nobody's display. A fault in the student's code is the error, or, with
+// options->every_save, told in the picture and on standard output.
 bool preview_snapshot(const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error);
-
-// The same again after every save, until the program is ended. A fault in the student's code is told on standard error.
-bool preview_snapshots(const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error);
 
 #endif

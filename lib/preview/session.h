@@ -71,11 +71,6 @@ void session_stop_render(Session *session);
 // The student's data as they are to be shown now.
 ViewData *session_yours(const Session *session);
 
-// What is wrong, a line each: the fault, what the compiler warned of, what right steps never do. "": nothing.
-void session_banner(const Session *session, char *text, size_t size);
-// The line at the bottom.
-void session_status(const Session *session, char *text, size_t size);
-
 // Draws this view, of both if it is split, with the words that the session has for it. `help`: the list of keys, or NULL.
 void session_draw(const Session *session, const View *view, const char *help);
 

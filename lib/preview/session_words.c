@@ -20,7 +20,8 @@ static bool list_steps(const Recording *recording, bool students, bool played, c
     return any;
 }
 
-void session_status(const Session *session, char *text, size_t size)
+// The line at the bottom.
+static void list_status(const Session *session, char *text, size_t size)
 {
     const Recording *recording = view_data_recording(session_yours(session));
     const Run *render = session->runs[RUN_RENDER][YOURS];
@@ -49,7 +50,8 @@ void session_status(const Session *session, char *text, size_t size)
         text_append(text, size, " | h: keys");
 }
 
-void session_banner(const Session *session, char *text, size_t size)
+// What is wrong, a line each: the fault, what the compiler warned of, what right steps never do. "": nothing.
+static void list_faults(const Session *session, char *text, size_t size)
 {
     const char *const scene =
         session->scene_is_old ? "the scene's file was changed; start the preview again to see it" : "";
@@ -81,11 +83,11 @@ void session_draw(const Session *session, const View *view, const char *help)
     const Run *render = session->runs[RUN_RENDER][YOURS];
     const Image *image = render ? run_image(render, &passes) : NULL;
     uint8_t *picture = image ? rgba_of_image(image) : NULL;
-    session_status(session, status, sizeof status);
-    session_banner(session, banner, sizeof banner);
-    Captions captions = {.help = help, .left_title = "yours", .right_title = "reference", .bare = bare};
+    list_status(session, status, sizeof status);
+    list_faults(session, banner, sizeof banner);
+    Captions captions = {.help = help, .bare = bare};
     captions.status = bare || session->options->given ? NULL : status;
-    captions.banner = bare || !banner[0] ? NULL : banner;
+    captions.banner = bare ? NULL : banner;
     if (picture) {
         captions.picture = picture;
         captions.picture_columns = image->width;

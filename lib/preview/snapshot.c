@@ -74,34 +74,6 @@ void snapshot_command(const Session *session, char *text, size_t size)
     }
 }
 
-// Where a snapshot is drawn: without a display, or in a window that is not shown.
-typedef struct {
-    Context *context;
-    Window *window;
-    Canvas *canvas;
-} Easel;
-
-static bool easel_open(Easel *easel, const PreviewOptions *options, Error *error)
-{
-    *easel = (Easel){NULL, NULL, NULL};
-    if (options->hidden_context_is_window)
-        easel->window = window_create(NULL, options->width, options->height, error);
-    else
-        easel->context = context_create(options->context, error);
-    if (!easel->window && !easel->context)
-        return false;
-    GlLoader loader = easel->window ? window_loader() : context_loader(easel->context);
-    easel->canvas = canvas_create(loader, options->width, options->height, error);
-    return easel->canvas != NULL;
-}
-
-static void easel_close(Easel *easel)
-{
-    canvas_free(easel->canvas);
-    context_free(easel->context);
-    window_free(easel->window);
-}
-
 static void show_given(Session *session, const PreviewOptions *options)
 {
     view_data_record(session->data[YOURS], *options->given);
@@ -112,58 +84,43 @@ static void show_given(Session *session, const PreviewOptions *options)
     }
 }
 
-// Waits until everything that the view needs is there.
-static void settle(Session *session)
+// Draws what is there, when everything that the view needs is.
+static bool draw_and_write(Session *session, Error *error)
 {
-    while (session_poll(session) || session_is_busy(session))
-        session_wait(session, 0.05);
-}
-
-static bool easel_start(Easel *easel, Session *session, const Scene *scene, const PreviewOptions *options,
-                        Broker *broker, Error *error)
-{
-    return easel_open(easel, options, error) &&
-           session_start(session, scene, options, &options->view, broker, easel->canvas, error);
-}
-
-static bool easel_write(const Session *session, Error *error)
-{
+    const PreviewOptions *options = session->options;
+    if (options->given)
+        show_given(session, options);
+    else
+        while (session_poll(session) || session_is_busy(session))
+            session_wait(session, 0.05);
+    if (session->fault[0] && !options->every_save)
+        return error_set(error, "%s", session->fault);
     session_draw(session, session->view, NULL);
-    return snapshot_write(session->canvas, session->options->snapshot, error);
+    return snapshot_write(session->canvas, options->snapshot, error);
 }
 
 bool preview_snapshot(const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error)
 {
-    Easel easel;
     Session session = {.photons = 0};
-    bool ok = easel_start(&easel, &session, scene, options, broker, error);
-    if (ok && options->given)
-        show_given(&session, options);
-    else if (ok)
-        settle(&session);
-    if (session.fault[0])
-        ok = error_set(error, "%s", session.fault);
-    ok = ok && easel_write(&session, error);
-    session_end(&session);
-    easel_close(&easel);
-    return ok;
-}
-
-bool preview_snapshots(const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error)
-{
-    Easel easel;
-    Session session = {.photons = 0};
-    bool ok = easel_start(&easel, &session, scene, options, broker, error);
-    while (ok) {
-        if (session_poll(&session) && !session_is_busy(&session)) {
-            if (easel_write(&session, error))
-                printf("%s is new\n", options->snapshot);
-            else
-                puts(error->message); // the next save may fare better
-        }
-        session_wait(&session, 0.2);
+    Window *window = options->in_window ? window_create(NULL, options->width, options->height, error) : NULL;
+    Context *context = options->in_window ? NULL : context_create(options->context, error);
+    Canvas *canvas = window || context ? canvas_create(window ? window_loader() : context_loader(context),
+                                                       options->width, options->height, error)
+                                       : NULL;
+    bool ok = canvas && session_start(&session, scene, options, &options->view, broker, canvas, error);
+    if (ok && !options->every_save)
+        ok = draw_and_write(&session, error);
+    while (ok && options->every_save) {
+        if (draw_and_write(&session, error))
+            printf("%s is new\n", options->snapshot);
+        else
+            puts(error->message); // the next save may fare better
+        while (!session_poll(&session))
+            session_wait(&session, 0.2);
     }
     session_end(&session);
-    easel_close(&easel);
+    canvas_free(canvas);
+    context_free(context);
+    window_free(window);
     return ok;
 }

@@ -144,10 +144,8 @@ void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const
     }
     if (view->split && !captions->picture) {
         float bottom = (float)canvas_height(canvas) - (captions->status ? 38.0f * scale : 4.0f);
-        if (captions->left_title)
-            draw_title(canvas, scale, 0.25f * width, bottom, captions->left_title);
-        if (captions->right_title)
-            draw_title(canvas, scale, 0.75f * width, bottom, captions->right_title);
+        draw_title(canvas, scale, 0.25f * width, bottom, "yours");
+        draw_title(canvas, scale, 0.75f * width, bottom, "reference");
     }
     if (captions->status && captions->status[0])
         draw_bar(canvas, scale, true, 2, COLOUR_OF_TEXT, PLATE, captions->status);

@@ -101,11 +101,10 @@ const char *colour_mode_name(ColourMode colour);
 
 // What the text around the picture says.
 typedef struct {
-    const char *status; // at the bottom: photons, bounces, time, who plays what, last build; NULL: none
-    const char *banner; // a fault, in red at the top; NULL: none
-    const char *help;   // lines of keys; shown when view->help
-    const char *left_title, *right_title; // of a split view
-    const uint8_t *picture;               // RGBA rows from the top, shown in place of the photons; NULL: none
+    const char *status;     // at the bottom: photons, bounces, time, who plays what, last build; NULL: none
+    const char *banner;     // faults, in red at the top; NULL or "": none
+    const char *help;       // lines of keys; shown when view->help
+    const uint8_t *picture; // RGBA rows from the top, shown in place of the photons; NULL: none
     int picture_columns, picture_rows;
     bool bare; // nothing but the picture: no text, no bars, no legend
 } Captions;

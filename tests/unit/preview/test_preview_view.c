@@ -225,7 +225,7 @@ TEST(every_view_draws)
     ViewData *data = view_data_create(canvas, scene), *empty = view_data_create(canvas, scene);
     assert_true(data && empty);
     View view = view_default(scene);
-    Captions captions = {.help = "keys", .left_title = "yours", .right_title = "reference", .status = "status"};
+    Captions captions = {.help = "keys", .status = "status"};
     view_draw(canvas, &view, empty, NULL, &captions); // nothing is there yet
     view_data_record(data, recording_of(scene, 100000));
     view.wireframe = false;
