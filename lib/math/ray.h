@@ -31,6 +31,12 @@ static inline void box_add_point(Box *box, Vec3 p)
     box->high = vec3(fmaxf(box->high.x, p.x), fmaxf(box->high.y, p.y), fmaxf(box->high.z, p.z));
 }
 
+// i from 0 to 7: bit 0 for high x, bit 1 for high y, bit 2 for high z.
+static inline Vec3 box_corner(Box box, int i)
+{
+    return vec3(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z);
+}
+
 static inline float box_diagonal(Box box)
 {
     return vec3_length(vec3_sub(box.high, box.low));

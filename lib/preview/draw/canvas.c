@@ -61,7 +61,7 @@ Canvas *canvas_create(GlLoader loader, int width, int height, Error *error)
     gl->Disable(GL_DITHER);
     gl->Disable(GL_MULTISAMPLE);
     gl->Enable(GL_BLEND);
-    canvas_begin(canvas, (const uint8_t[4]){0, 0, 0, 255});
+    canvas_begin(canvas, (Rgba){0, 0, 0, 255});
     return canvas;
 }
 
@@ -110,12 +110,13 @@ bool canvas_resize(Canvas *canvas, int width, int height, Error *error)
     return true;
 }
 
-void canvas_begin(Canvas *canvas, const uint8_t *rgba)
+void canvas_begin(Canvas *canvas, Rgba colour)
 {
     const Gl *gl = &canvas->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
     gl->Disable(GL_SCISSOR_TEST);
-    gl->ClearColor((float)rgba[0] / 255.0f, (float)rgba[1] / 255.0f, (float)rgba[2] / 255.0f, (float)rgba[3] / 255.0f);
+    gl->ClearColor((float)colour.r / 255.0f, (float)colour.g / 255.0f, (float)colour.b / 255.0f,
+                   (float)colour.a / 255.0f);
     gl->Clear(GL_COLOR_BUFFER_BIT);
     gl->Enable(GL_SCISSOR_TEST);
     gl->UseProgram(canvas->program);

@@ -12,6 +12,10 @@
 #include <stdint.h>
 
 typedef struct {
+    uint8_t r, g, b, a;
+} Rgba;
+
+typedef struct {
     float x, y, z;
     uint8_t r, g, b, a;
 } Vertex; // 16 bytes, as the graphics card reads them
@@ -26,7 +30,7 @@ Canvas *canvas_create(GlLoader loader, int width, int height, Error *error);
 void canvas_free(Canvas *canvas);
 bool canvas_resize(Canvas *canvas, int width, int height, Error *error);
 
-void canvas_begin(Canvas *canvas, const uint8_t *rgba); // clears all to this
+void canvas_begin(Canvas *canvas, Rgba colour); // clears all to this
 // What follows is drawn inside this rectangle (pixels, from the top left), seen by this camera.
 void canvas_view(Canvas *canvas, int left, int top, int width, int height, const float projection[16]);
 
@@ -52,9 +56,9 @@ void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const Dra
 
 // Printable ASCII (of others a few are written out, the rest show as `?`), line by line from the top left in pixels; scale 1: letters about 7 pixels high,
 // lines 12 pixels apart. Within the whole canvas, whatever canvas_view says.
-void canvas_text(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text);
+void canvas_text(Canvas *canvas, float x, float y, float scale, Rgba colour, const char *text);
 float canvas_text_width(float scale, const char *text);
-void canvas_rectangle(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba);
+void canvas_rectangle(Canvas *canvas, float x, float y, float width, float height, Rgba colour);
 // A picture of RGBA bytes, row 0 at the top, stretched over the rectangle.
 void canvas_picture(Canvas *canvas, int x, int y, int width, int height, const uint8_t *rgba, int columns, int rows);
 

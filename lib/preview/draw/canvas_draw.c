@@ -66,21 +66,26 @@ static void draw_flat(Canvas *canvas, const Vertex *vertices, size_t count)
     canvas_use_view(canvas, &canvas->view);
 }
 
-void canvas_text(Canvas *canvas, float x, float y, float scale, const uint8_t *rgba, const char *text)
+void canvas_text(Canvas *canvas, float x, float y, float scale, Rgba colour, const char *text)
 {
     size_t count;
-    Vertex *vertices = text_vertices(x, y, scale, rgba, text, &count);
+    Vertex *vertices = text_vertices(x, y, scale, colour, text, &count);
     draw_flat(canvas, vertices, count);
     free(vertices);
 }
 
-void canvas_rectangle(Canvas *canvas, float x, float y, float width, float height, const uint8_t *rgba)
+void canvas_rectangle(Canvas *canvas, float x, float y, float width, float height, Rgba colour)
 {
     static const int CORNERS[6] = {0, 1, 3, 0, 3, 2}; // bit 0: right, bit 1: bottom
     Vertex vertices[6];
     for (int i = 0; i < 6; i++)
-        vertices[i] = (Vertex){
-            x + (CORNERS[i] & 1 ? width : 0), y + (CORNERS[i] & 2 ? height : 0), 0, rgba[0], rgba[1], rgba[2], rgba[3]};
+        vertices[i] = (Vertex){x + (CORNERS[i] & 1 ? width : 0),
+                               y + (CORNERS[i] & 2 ? height : 0),
+                               0,
+                               colour.r,
+                               colour.g,
+                               colour.b,
+                               colour.a};
     draw_flat(canvas, vertices, 6);
 }
 

@@ -27,6 +27,6 @@ void canvas_use_view(Canvas *canvas, const CanvasView *view);
 CanvasView canvas_flat_view(const Canvas *canvas);
 
 // Triangles of the text's letters, at (x, y) in pixels; to be freed.
-Vertex *text_vertices(float x, float y, float scale, const uint8_t *rgba, const char *text, size_t *count);
+Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *text, size_t *count);
 
 #endif

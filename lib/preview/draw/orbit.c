@@ -63,11 +63,6 @@ Orbit orbit_look(Vec3 position, Vec3 target, float vertical_fov)
     return orbit;
 }
 
-static Vec3 box_corner(Box box, int i)
-{
-    return vec3(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z);
-}
-
 void orbit_frame(Orbit *orbit, Box box, float aspect)
 {
     if (!box_is_sound(box))

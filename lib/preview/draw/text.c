@@ -71,7 +71,7 @@ static void put_quad(Vertex *triangles, const Vertex quad[4], float x, float y, 
     }
 }
 
-Vertex *text_vertices(float x, float y, float scale, const uint8_t *rgba, const char *text, size_t *count)
+Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *text, size_t *count)
 {
     *count = 0;
     char *letters = printable(text);
@@ -79,8 +79,8 @@ Vertex *text_vertices(float x, float y, float scale, const uint8_t *rgba, const 
     Vertex *quads = malloc((most * 4 + 1) * sizeof *quads);
     Vertex *triangles = malloc((most * 6 + 1) * sizeof *triangles);
     if (letters && quads && triangles) {
-        unsigned char colour[4] = {rgba[0], rgba[1], rgba[2], rgba[3]};
-        int made = stb_easy_font_print(0, 0, letters, colour, quads, (int)(most * 4 * sizeof *quads));
+        unsigned char ink[4] = {colour.r, colour.g, colour.b, colour.a};
+        int made = stb_easy_font_print(0, 0, letters, ink, quads, (int)(most * 4 * sizeof *quads));
         // Whole pixels: a stroke between two would be there or not by chance.
         x = (float)(int)(x + 0.5f);
         y = (float)(int)(y + 0.5f);
@@ -103,9 +103,9 @@ float canvas_text_width(float scale, const char *text)
 
 #else
 
-Vertex *text_vertices(float x, float y, float scale, const uint8_t *rgba, const char *text, size_t *count)
+Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *text, size_t *count)
 {
-    (void)x, (void)y, (void)scale, (void)rgba, (void)text;
+    (void)x, (void)y, (void)scale, (void)colour, (void)text;
     *count = 0;
     return NULL;
 }

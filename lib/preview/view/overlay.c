@@ -75,18 +75,13 @@ static float text_height(const char *text, float scale)
     return (float)lines * LINE * scale;
 }
 
-static const uint8_t *bytes(const Rgba *colour)
-{
-    return (const uint8_t *)colour;
-}
-
 // Text on a dark plate; (x, y) its top left corner.
 static void draw_plate(Canvas *canvas, float x, float y, float scale, Rgba ink, Rgba plate, const char *text)
 {
     float margin = MARGIN * scale;
     canvas_rectangle(canvas, x, y, canvas_text_width(scale, text) + 2.0f * margin,
-                     text_height(text, scale) + 1.4f * margin, bytes(&plate));
-    canvas_text(canvas, x + margin, y + margin, scale, bytes(&ink), text);
+                     text_height(text, scale) + 1.4f * margin, plate);
+    canvas_text(canvas, x + margin, y + margin, scale, ink, text);
 }
 
 // Wrapped text over the whole width, at the top, or at the bottom and a little lower. Returns its height.
@@ -97,8 +92,8 @@ static float draw_bar(Canvas *canvas, float scale, bool at_bottom, int most, Rgb
     int lines = overlay_wrap(text, scale, width - 2.0f * margin, most, wrapped, sizeof wrapped);
     float height = (float)lines * LINE * scale + (at_bottom ? 1.2f : 1.4f) * margin;
     float top = at_bottom ? (float)canvas_height(canvas) - height : 0.0f;
-    canvas_rectangle(canvas, 0, top, width, height, bytes(&plate));
-    canvas_text(canvas, margin, top + (at_bottom ? 0.8f : 1.0f) * margin, scale, bytes(&ink), wrapped);
+    canvas_rectangle(canvas, 0, top, width, height, plate);
+    canvas_text(canvas, margin, top + (at_bottom ? 0.8f : 1.0f) * margin, scale, ink, wrapped);
     return height;
 }
 

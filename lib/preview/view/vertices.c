@@ -14,16 +14,12 @@ void vertices_free(Vertices *list)
 
 bool vertices_reserve(Vertices *list, size_t more)
 {
-    if (list->lost)
-        return false;
     if (list->count + more <= list->capacity)
         return true;
     size_t capacity = list->capacity * 2 > list->count + more ? list->capacity * 2 : list->count + more;
     Vertex *items = realloc(list->items, capacity * sizeof *items);
-    if (!items) {
-        list->lost = true;
+    if (!items)
         return false;
-    }
     list->items = items;
     list->capacity = capacity;
     return true;
@@ -62,16 +58,9 @@ void vertices_circle(Vertices *list, Vec3 centre, Vec3 across, Vec3 along, float
 void vertices_box(Vertices *list, Box box, Rgba colour)
 {
     for (int i = 0; i < 8; i++)
-        for (int axis = 1; axis < 8; axis *= 2) {
-            if (i & axis)
-                continue;
-            int j = i | axis;
-            Vec3 from =
-                vec3(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z);
-            Vec3 to =
-                vec3(j & 1 ? box.high.x : box.low.x, j & 2 ? box.high.y : box.low.y, j & 4 ? box.high.z : box.low.z);
-            vertices_line(list, from, to, colour);
-        }
+        for (int axis = 1; axis < 8; axis *= 2)
+            if (!(i & axis))
+                vertices_line(list, box_corner(box, i), box_corner(box, i | axis), colour);
 }
 
 bool cache_is(Cache *cache, const double key[KEY_SIZE])

@@ -125,7 +125,7 @@ void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *refe
     bool split = view->split && reference && !captions->picture;
     int half = width / 2;
     Pane pane = {canvas, yours->scene, view, yours, 0, 0, split ? half : width, height, overlay_scale(canvas)};
-    canvas_begin(canvas, (const uint8_t[4]){7, 9, 14, 255});
+    canvas_begin(canvas, (Rgba){7, 9, 14, 255});
     if (captions->picture && captions->picture_columns > 0 && captions->picture_rows > 0) {
         draw_picture(canvas, captions);
     } else {
@@ -135,7 +135,7 @@ void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *refe
             pane.left = half;
             pane.width = width - half;
             pane_draw(&pane);
-            canvas_rectangle(canvas, (float)half - 1, 0, 2, (float)height, (const uint8_t[4]){110, 120, 140, 255});
+            canvas_rectangle(canvas, (float)half - 1, 0, 2, (float)height, (Rgba){110, 120, 140, 255});
         }
     }
     if (!captions->bare)

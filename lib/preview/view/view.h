@@ -59,7 +59,7 @@ const Recording *view_data_recording(const ViewData *data); // empty (count 0) a
 void view_data_sample(ViewData *data, LobeSamples samples); // takes it over
 
 typedef struct Pane Pane;
-typedef struct LegendEntry LegendEntry;
+typedef struct Legend Legend;
 
 // One view; the list of them is views.def. What may be left out says so.
 typedef struct {
@@ -78,8 +78,8 @@ typedef struct {
     void (*draw)(const Pane *pane);
     // Lines about what is shown: "photon 17, bounce 2 of 5, red, 0.0012 W". After `draw`.
     void (*describe)(const View *view, const ViewData *data, char *text, size_t size);
-    // What the colours mean: fills in up to MOST_ENTRIES, returns how many. NULL: they mean nothing.
-    int (*legend)(const View *view, const ViewData *data, LegendEntry *entries);
+    // What the colours mean, by legend_add. NULL: nothing.
+    void (*legend)(const View *view, const ViewData *data, Legend *legend);
     // An arrow: `step` is 1 or −1, `sideways` for ←/→. NULL: there is nothing to choose.
     void (*choose)(View *view, const ViewData *data, bool sideways, int step);
     size_t found_size;               // of what `draw` finds out: ViewData.found, zeroed at first; may be 0

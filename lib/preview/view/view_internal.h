@@ -6,15 +6,10 @@
 #include "photons/photon_map.h"
 #include "preview/view/view.h"
 
-typedef struct {
-    uint8_t r, g, b, a;
-} Rgba;
-
-// Vertices on their way to a buffer. Grows; `lost` when memory was short, and then it takes no more.
+// Vertices on their way to a buffer. Grows; what comes when memory is short is left out.
 typedef struct {
     Vertex *items;
     size_t count, capacity;
-    bool lost;
 } Vertices;
 
 void vertices_free(Vertices *list);
@@ -133,13 +128,18 @@ const char *photon_colour_name(int colour);
 #define BOUNCE_COLOURS 8
 
 #define MOST_ENTRIES 12
-struct LegendEntry {
-    Rgba colour;
-    char text[40];
+struct Legend {
+    struct {
+        Rgba colour;
+        char text[40];
+    } entries[MOST_ENTRIES];
+    int count;
 };
+// Those past MOST_ENTRIES are left out.
+void legend_add(Legend *legend, Rgba colour, const char *format, ...) PRINTF_LIKE(3, 4);
 // ViewType.legend of views whose colours are View.colour: photons where they lie, and legs, which fly to any material.
-int legend_of_photons(const View *view, const ViewData *data, LegendEntry *entries);
-int legend_of_legs(const View *view, const ViewData *data, LegendEntry *entries);
+void legend_of_photons(const View *view, const ViewData *data, Legend *legend);
+void legend_of_legs(const View *view, const ViewData *data, Legend *legend);
 void legend_draw(Canvas *canvas, const View *view, const ViewData *data, float top);
 
 // ---- words ----

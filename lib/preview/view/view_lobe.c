@@ -142,15 +142,14 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
         text_append(text, size, "\n%zu are not of unit length (drawn at theirs)", counts->not_unit);
 }
 
-static int legend(const View *view, const ViewData *data, LegendEntry *entries)
+static void legend(const View *view, const ViewData *data, Legend *legend)
 {
     (void)view, (void)data;
-    entries[0] = (LegendEntry){{90, 200, 255, 255}, "the equation"};
-    entries[1] = (LegendEntry){{255, 205, 110, 255}, "samples"};
-    entries[2] = (LegendEntry){{235, 235, 245, 255}, "photon"};
-    entries[3] = (LegendEntry){{255, 130, 90, 255}, "mirror direction"};
-    entries[4] = (LegendEntry){{150, 235, 150, 255}, "normal"};
-    return 5;
+    legend_add(legend, (Rgba){90, 200, 255, 255}, "the equation");
+    legend_add(legend, (Rgba){255, 205, 110, 255}, "samples");
+    legend_add(legend, (Rgba){235, 235, 245, 255}, "photon");
+    legend_add(legend, (Rgba){255, 130, 90, 255}, "mirror direction");
+    legend_add(legend, (Rgba){150, 235, 150, 255}, "normal");
 }
 
 static void choose(View *view, const ViewData *data, bool sideways, int step)

@@ -7,7 +7,7 @@
 #include "unit/test.h"
 
 enum { WIDTH = 160, HEIGHT = 120 };
-static const uint8_t BLACK[4] = {0, 0, 0, 255};
+static const Rgba BLACK = {0, 0, 0, 255};
 
 static Context *context;
 static uint8_t seen[4 * WIDTH * HEIGHT]; // what `look` read
@@ -34,7 +34,7 @@ static inline int end(void **state)
 static inline void begin(Canvas *canvas)
 {
     static const float PIXELS[16] = {2.0f / WIDTH, 0, 0, 0, 0, -2.0f / HEIGHT, 0, 0, 0, 0, 1, 0, -1, 1, 0, 1};
-    canvas_begin(canvas);
+    canvas_begin(canvas, BLACK);
     canvas_view(canvas, 0, 0, WIDTH, HEIGHT, PIXELS);
 }
 

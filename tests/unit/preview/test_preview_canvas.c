@@ -36,7 +36,7 @@ TEST(large_points_and_rectangles_have_their_size)
     Canvas *canvas = new_canvas();
     Vertex point = {50, 50, 0, 255, 255, 255, 255};
     canvas_draw(canvas, &point, 1, &(DrawStyle){.kind = DRAW_POINTS, .point_size = 4});
-    canvas_rectangle(canvas, 100, 90, 20, 10, (const uint8_t[4]){0, 0, 200, 255});
+    canvas_rectangle(canvas, 100, 90, 20, 10, (Rgba){0, 0, 200, 255});
     look(canvas);
     assert_int_equal(count_lit(48, 48, 4, 4), 16);
     assert_int_equal(count_all(), 16 + 200);
@@ -53,7 +53,7 @@ TEST(a_view_ends_at_its_rectangle)
     canvas_draw(canvas, vertices, 6, &(DrawStyle){.kind = DRAW_TRIANGLES});
     Vertex edge = {-1, 0, 0, 9, 9, 9, 255};
     canvas_draw(canvas, &edge, 1, &(DrawStyle){.kind = DRAW_POINTS, .point_size = 8});  // half of it is outside
-    canvas_rectangle(canvas, 0, 0, 1, 1, (const uint8_t[4]){5, 5, 5, 255});             // not bound to the view
+    canvas_rectangle(canvas, 0, 0, 1, 1, (Rgba){5, 5, 5, 255});                         // not bound to the view
     canvas_draw(canvas, &point, 1, &(DrawStyle){.kind = DRAW_POINTS, .point_size = 2}); // which is still there
     look(canvas);
     assert_int_equal(count_lit(80, 10, 60, 30), 60 * 30);
@@ -64,7 +64,7 @@ TEST(a_view_ends_at_its_rectangle)
 TEST(a_new_picture_is_black)
 {
     Canvas *canvas = new_canvas();
-    canvas_rectangle(canvas, 0, 0, WIDTH, HEIGHT, (const uint8_t[4]){255, 255, 255, 255});
+    canvas_rectangle(canvas, 0, 0, WIDTH, HEIGHT, (Rgba){255, 255, 255, 255});
     look(canvas);
     assert_int_equal(count_all(), WIDTH * HEIGHT);
     canvas_begin(canvas, BLACK);
@@ -96,8 +96,8 @@ TEST(light_adds_up)
 TEST(a_glass_colour_lets_half_through)
 {
     Canvas *canvas = new_canvas();
-    canvas_rectangle(canvas, 0, 0, 10, 10, (const uint8_t[4]){100, 0, 0, 255});
-    canvas_rectangle(canvas, 0, 0, 10, 10, (const uint8_t[4]){0, 0, 200, 51});
+    canvas_rectangle(canvas, 0, 0, 10, 10, (Rgba){100, 0, 0, 255});
+    canvas_rectangle(canvas, 0, 0, 10, 10, (Rgba){0, 0, 200, 51});
     look(canvas);
     assert_pixel(5, 5, 80, 0, 40);
 }

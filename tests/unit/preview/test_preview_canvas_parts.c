@@ -34,7 +34,7 @@ TEST(a_buffer_is_drawn_in_parts)
 
 TEST(words_stay_in_their_lines)
 {
-    static const uint8_t WHITE[4] = {255, 255, 255, 255};
+    static const Rgba WHITE = {255, 255, 255, 255};
     Canvas *canvas = new_canvas();
     canvas_text(canvas, 20, 30, 1, WHITE, "photon\n~|@ \xc2\xb5\x01\x7f");
     look(canvas);
@@ -91,7 +91,7 @@ TEST(a_canvas_changes_its_size)
     assert_int_equal(canvas_width(canvas), 33);
     assert_int_equal(canvas_height(canvas), 21);
     canvas_begin(canvas, BLACK);
-    canvas_rectangle(canvas, 32, 20, 50, 50, (const uint8_t[4]){1, 2, 3, 255});
+    canvas_rectangle(canvas, 32, 20, 50, 50, (Rgba){1, 2, 3, 255});
     memset(seen, 77, sizeof seen);
     canvas_read(canvas, seen);
     const size_t last = 4 * (33 * 21 - 1);

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 enum { WIDTH = 160, HEIGHT = 120 };
-static const uint8_t BLACK[4] = {0, 0, 0, 255};
+static const Rgba BLACK = {0, 0, 0, 255};
 
 // ---- The same bytes from everywhere ----
 
@@ -50,7 +50,7 @@ static bool draw_much(GlLoader loader, uint8_t *rgba)
     canvas_draw(canvas, vertices, 3000, &(DrawStyle){.kind = DRAW_POINTS, .additive = true, .exposure = 0.37f});
     canvas_draw(canvas, vertices, 100, &(DrawStyle){.kind = DRAW_POINTS, .point_size = 3});
     canvas_picture(canvas, 100, 70, 42, 33, (const uint8_t *)vertices, 13, 9);
-    canvas_text(canvas, 5, 5, 1, (const uint8_t[4]){255, 255, 255, 200}, "the same bytes");
+    canvas_text(canvas, 5, 5, 1, (Rgba){255, 255, 255, 200}, "the same bytes");
     canvas_read(canvas, rgba);
     canvas_free(canvas);
     return true;
