@@ -136,6 +136,15 @@ size_t text_distance(const char *a, const char *b)
     return row[length];
 }
 
+bool text_find_name(const char *name, TextNameAt name_at, const void *list, size_t *number)
+{
+    const char *known;
+    for (*number = 0; (known = name_at(list, *number)); ++*number)
+        if (strcmp(known, name) == 0)
+            return true;
+    return false;
+}
+
 void text_suggest(char *message, size_t size, const char *word, TextNameAt name_at, const void *list)
 {
     const char *nearest = NULL, *name;

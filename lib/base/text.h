@@ -26,6 +26,9 @@ size_t text_distance(const char *a, const char *b);
 // Name number i of a list, NULL past the last.
 typedef const char *(*TextNameAt)(const void *list, size_t i);
 
+// The number of a name in a list; false, and *number is the list's length, when it is none of them.
+bool text_find_name(const char *name, TextNameAt name_at, const void *list, size_t *number);
+
 // What to say of a word that is not in a list: "did you mean 'radius'?" when a name is near, else "expected
 // one of: a, b".
 void text_suggest(char *message, size_t size, const char *word, TextNameAt name_at, const void *list);

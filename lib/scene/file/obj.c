@@ -1,21 +1,22 @@
 #include "scene/file/obj.h"
 
 #include "base/array.h"
+#include "base/text.h"
 #include "scene/bvh/shape.h"
 #include "scene/limits.h"
-#include "scene/file/obj_lines.h"
-#include "base/text.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_MATERIALS 1000
-
+// Goes through the text word by word: comments reach from # to the line's end, a backslash there carries the line on.
 typedef struct {
-    ObjCursor cursor;
+    const char *at, *word_end; // what is left of the word at hand
+    const char *end;           // of the text
+    long line;                 // from 1
     const char *name;
+    const ObjNames *names;
     ObjMesh *mesh;
     uint32_t material; // of the faces to come
     Error *error;
@@ -25,15 +26,53 @@ typedef struct {
     uint32_t point, normal;
 } Corner;
 
+static bool is_one_of(char c, const char *characters)
+{
+    return c != '\0' && strchr(characters, c);
+}
+
+// The length of a blank, or of a backslash and the line's end behind it; 0 when there is no such thing here.
+static size_t blank_length(const char *at, const char *end)
+{
+    if (is_one_of(*at, " \t\r"))
+        return 1;
+    size_t left = (size_t)(end - at), length = left > 2 && at[1] == '\r' ? 3 : 2;
+    return *at == '\\' && left >= length && at[length - 1] == '\n' ? length : 0;
+}
+
+// False, and no word is at hand, at the line's end.
+static bool next_word(Reader *reader)
+{
+    const char *at = reader->word_end, *end = reader->end;
+    for (size_t length; at < end && (length = blank_length(at, end)); at += length)
+        reader->line += length > 1;
+    reader->at = reader->word_end = at;
+    if (at == end || is_one_of(*at, "\n#"))
+        return false;
+    while (at < end && !is_one_of(*at, " \t\r\n\\#"))
+        at++;
+    reader->word_end = at > reader->at ? at : at + 1; // a backslash inside a line is a word
+    return true;
+}
+
+static void next_line(Reader *reader)
+{
+    while (next_word(reader))
+        ;
+    const char *newline = memchr(reader->at, '\n', (size_t)(reader->end - reader->at));
+    reader->word_end = newline ? newline + 1 : reader->end;
+    reader->line += newline != NULL;
+}
+
 static bool fault(const Reader *reader, const char *format, ...)
 {
-    char what[400];
+    char what[700];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
     text_make_printable(what);
-    return error_set(reader->error, "%s:%ld: %s", reader->name, reader->cursor.line, what);
+    return error_set(reader->error, "%s:%ld: %s", reader->name, reader->line, what);
 }
 
 static bool memory_fault(const Reader *reader)
@@ -41,61 +80,52 @@ static bool memory_fault(const Reader *reader)
     return fault(reader, "not enough memory for this mesh");
 }
 
-// Names the word at hand, or at least the character.
+// Names what is left of the word, or at least the character behind it.
 static bool word_fault(const Reader *reader, const char *expected)
 {
-    size_t length = obj_word_length(&reader->cursor);
-    length = length || reader->cursor.at == reader->cursor.end ? length : 1;
-    return fault(reader, "'%.*s' is not %s", (int)(length < 40 ? length : 40), reader->cursor.at, expected);
+    size_t length = (size_t)(reader->word_end - reader->at);
+    length = length || reader->at == reader->end ? length : 1;
+    return fault(reader, "'%.*s' is not %s", (int)(length < 40 ? length : 40), reader->at, expected);
 }
 
-static bool read_vector(Reader *reader, const char *what, Vec3 *vector)
+// Reads three numbers to the end of a list; gives their place there, or NULL.
+static Vec3 *read_vector(Reader *reader, const char *what, Vec3 **list, size_t *count, size_t *capacity)
 {
-    double number[3] = {0};
-    int count = 0;
-    // Beyond the three there may be a weight or a colour.
-    for (; !obj_at_line_end(&reader->cursor) && count < 7; count++) {
-        double value;
-        const char *start = reader->cursor.at;
-        bool fine = text_number(&reader->cursor.at, reader->cursor.end, &value) && obj_at_word_end(&reader->cursor) &&
-                    fabs(value) <= SCENE_LARGEST_NUMBER;
-        reader->cursor.at = fine ? reader->cursor.at : start;
-        if (!fine)
-            return word_fault(reader, "a number between -1e9 and 1e9");
-        if (count < 3)
-            number[count] = value;
+    double number[7] = {0}; // beyond the three there may be a weight or a colour
+    int read = 0;
+    bool more;
+    for (; (more = next_word(reader)) && read < 7; read++) {
+        const char *at = reader->at;
+        if (!text_number(&at, reader->word_end, &number[read]) || at < reader->word_end ||
+            fabs(number[read]) > SCENE_LARGEST_NUMBER) {
+            word_fault(reader, "a number between -1e9 and 1e9");
+            return NULL;
+        }
     }
-    if (count < 3 || !obj_at_line_end(&reader->cursor))
-        return fault(reader, "a %s has %d numbers; expected 3", what, count);
-    *vector = vec3((float)number[0], (float)number[1], (float)number[2]);
-    return true;
-}
-
-static Vec3 *add_vector(Reader *reader, const char *what, Vec3 **list, size_t *count, size_t *capacity)
-{
-    Vec3 vector;
-    if (!read_vector(reader, what, &vector))
+    if (read < 3 || more) {
+        fault(reader, "a %s has %d numbers; expected 3", what, read);
         return NULL;
-    Vec3 *moved = array_reserve(*list, *count, capacity, sizeof vector);
+    }
+    Vec3 *moved = array_reserve(*list, *count, capacity, sizeof *moved);
     if (!moved) {
         memory_fault(reader);
         return NULL;
     }
     *list = moved;
-    moved[*count] = vector;
+    moved[*count] = vec3((float)number[0], (float)number[1], (float)number[2]);
     return &moved[(*count)++];
 }
 
 static bool read_point(Reader *reader)
 {
     ObjMesh *mesh = reader->mesh;
-    return add_vector(reader, "point (v)", &mesh->points, &mesh->point_count, &mesh->point_capacity) != NULL;
+    return read_vector(reader, "point (v)", &mesh->points, &mesh->point_count, &mesh->point_capacity) != NULL;
 }
 
 static bool read_normal(Reader *reader)
 {
     ObjMesh *mesh = reader->mesh;
-    Vec3 *normal = add_vector(reader, "normal (vn)", &mesh->normals, &mesh->normal_count, &mesh->normal_capacity);
+    Vec3 *normal = read_vector(reader, "normal (vn)", &mesh->normals, &mesh->normal_count, &mesh->normal_capacity);
     if (!normal)
         return false;
     float length = vec3_length(*normal);
@@ -106,11 +136,11 @@ static bool read_normal(Reader *reader)
 // An index counts from 1, or, when negative, back from the newest. Gives it from 0.
 static bool read_index(Reader *reader, size_t count, const char *what, uint32_t *index)
 {
-    const char *start = reader->cursor.at, *end = reader->cursor.end, *p = start;
-    bool negative = p < end && *p == '-';
+    const char *start = reader->at, *p = start;
+    bool negative = p < reader->word_end && *p == '-';
     uint64_t number = 0;
     const char *digits = p += negative;
-    for (; p < end && *p >= '0' && *p <= '9'; p++)
+    for (; p < reader->word_end && *p >= '0' && *p <= '9'; p++)
         number = number > UINT32_MAX ? number : number * 10 + (uint64_t)(*p - '0');
     if (p == digits)
         return word_fault(reader, "a corner; expected point, point/texture, point//normal or point/texture/normal");
@@ -118,15 +148,15 @@ static bool read_index(Reader *reader, size_t count, const char *what, uint32_t 
         return fault(reader, "there is no %s %.*s: %zu stand above, counted from 1", what,
                      (int)(p - start < 30 ? p - start : 30), start, count);
     *index = (uint32_t)(negative ? count - number : number - 1);
-    reader->cursor.at = p;
+    reader->at = p;
     return true;
 }
 
 // A '/' that is there is gone over.
-static bool at_slash(Reader *reader)
+static bool skip_slash(Reader *reader)
 {
-    bool slash = reader->cursor.at < reader->cursor.end && *reader->cursor.at == '/';
-    reader->cursor.at += slash;
+    bool slash = reader->at < reader->word_end && *reader->at == '/';
+    reader->at += slash;
     return slash;
 }
 
@@ -136,24 +166,22 @@ static bool read_corner(Reader *reader, Corner *corner)
     corner->normal = OBJ_NONE;
     if (!read_index(reader, reader->mesh->point_count, "point", &corner->point))
         return false;
-    if (at_slash(reader)) {
-        while (reader->cursor.at < reader->cursor.end && memchr("-0123456789", *reader->cursor.at, 11))
-            reader->cursor.at++;
-        if (at_slash(reader) && !read_index(reader, reader->mesh->normal_count, "normal", &corner->normal))
+    if (skip_slash(reader)) {
+        while (reader->at < reader->word_end && is_one_of(*reader->at, "-0123456789"))
+            reader->at++;
+        if (skip_slash(reader) && !read_index(reader, reader->mesh->normal_count, "normal", &corner->normal))
             return false;
     }
-    return obj_at_word_end(&reader->cursor) || word_fault(reader, "the end of a corner; expected a blank");
+    return reader->at == reader->word_end || word_fault(reader, "the end of a corner; expected a blank");
 }
 
-static bool has_area(const ObjMesh *mesh, Corner a, Corner b, Corner c)
-{
-    Vec3 origin = mesh->points[a.point];
-    return !flat_is_degenerate(vec3_sub(mesh->points[b.point], origin), vec3_sub(mesh->points[c.point], origin));
-}
-
+// Of a fan; those without area are left out.
 static bool add_triangle(const Reader *reader, Corner a, Corner b, Corner c)
 {
     ObjMesh *mesh = reader->mesh;
+    Vec3 origin = mesh->points[a.point];
+    if (flat_is_degenerate(vec3_sub(mesh->points[b.point], origin), vec3_sub(mesh->points[c.point], origin)))
+        return true;
     ObjTriangle *triangle =
         array_reserve(mesh->triangles, mesh->triangle_count, &mesh->triangle_capacity, sizeof *triangle);
     if (!triangle)
@@ -171,13 +199,12 @@ static bool read_face(Reader *reader)
     Corner first = {0, 0}, previous = {0, 0}, corner;
     size_t before = reader->mesh->triangle_count;
     int count = 0;
-    for (; !obj_at_line_end(&reader->cursor); count += count < 3, previous = corner) {
+    for (; next_word(reader); count += count < 3, previous = corner) {
         if (!read_corner(reader, &corner))
             return false;
         if (count == 0)
             first = corner;
-        if (count >= 2 && has_area(reader->mesh, first, previous, corner) &&
-            !add_triangle(reader, first, previous, corner))
+        if (count >= 2 && !add_triangle(reader, first, previous, corner))
             return false;
     }
     if (count < 3)
@@ -186,77 +213,74 @@ static bool read_face(Reader *reader)
            fault(reader, "a face without area: its corners coincide or lie in a line; remove it or move a corner");
 }
 
+// The name is what is left of the line, without a comment and the blanks at its end.
 static bool read_usemtl(Reader *reader)
 {
-    ObjMesh *mesh = reader->mesh;
-    obj_skip_blanks(&reader->cursor);
-    size_t length = obj_rest_length(&reader->cursor);
-    if (length == 0 || length >= sizeof mesh->materials->name || memchr(reader->cursor.at, '\0', length))
-        return fault(reader, "usemtl with a name of %zu characters; expected 1 to 63", length);
-    for (size_t i = 0; i < mesh->material_count; i++) {
-        const char *name = mesh->materials[i].name;
-        if (strlen(name) == length && memcmp(name, reader->cursor.at, length) == 0) {
-            reader->material = (uint32_t)i;
-            return true;
-        }
+    next_word(reader);
+    size_t length = 0;
+    char name[64] = "";
+    for (const char *p = reader->at; p < reader->end && *p != '\n'; p++) {
+        if (*p == '#' && length < (size_t)(p - reader->at))
+            break; // behind a blank; a name may hold the sign inside
+        if (!is_one_of(*p, " \t\r"))
+            length = (size_t)(p - reader->at) + 1;
     }
-    if (mesh->material_count == MOST_MATERIALS)
-        return fault(reader, "more than %d materials; expected fewer", MOST_MATERIALS);
-    ObjMaterial *material =
-        array_reserve(mesh->materials, mesh->material_count, &mesh->material_capacity, sizeof *material);
-    if (!material)
-        return memory_fault(reader);
-    mesh->materials = material;
-    material += mesh->material_count;
-    *material = (ObjMaterial){.line = reader->cursor.line};
-    memcpy(material->name, reader->cursor.at, length);
-    reader->material = (uint32_t)mesh->material_count++;
-    return true;
+    if (length == 0 || length >= sizeof name || memchr(reader->at, '\0', length))
+        return fault(reader, "usemtl with a name of %zu characters; expected 1 to 63", length);
+    memcpy(name, reader->at, length);
+    reader->word_end = reader->at + length;
+    const ObjNames *names = reader->names;
+    size_t number;
+    if (text_find_name(name, names->name_at, names->list, &number)) {
+        reader->material = (uint32_t)number;
+        return true;
+    }
+    char suggestion[400];
+    text_suggest(suggestion, sizeof suggestion, name, names->name_at, names->list);
+    return fault(reader, "usemtl '%s' is no material of %s; %s", name, names->of, suggestion);
 }
 
-// Keywords of the format that say nothing about surfaces of flat polygons.
-static bool is_unused_keyword(const char *word, size_t length)
+static bool is_word(const Reader *reader, const char *word)
 {
-    static const char unused[] =
-        " vt vp g o s l p mtllib usemap maplib cstype deg bmat step curv curv2 surf parm trim hole scrv sp "
-        "end con mg "
-        "bevel c_interp d_interp lod shadow_obj trace_obj ctech stech bzp bsp cdc cdp res call csh ";
-    char padded[16] = " ";
-    if (length > sizeof padded - 3)
-        return false;
-    memcpy(padded + 1, word, length);
-    padded[length + 1] = ' ';
-    return strstr(unused, padded) != NULL;
+    size_t length = (size_t)(reader->word_end - reader->at);
+    return strlen(word) == length && memcmp(word, reader->at, length) == 0;
 }
+
+// Keywords of the format that say nothing about surfaces of flat polygons, with a blank on each side.
+static const char unused_keywords[] =
+    " vt vp g o s l p mtllib usemap maplib cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con mg "
+    "bevel c_interp d_interp lod shadow_obj trace_obj ctech stech bzp bsp cdc cdp res call csh ";
 
 static bool read_statement(Reader *reader)
 {
-    const char *word = reader->cursor.at;
-    size_t length = obj_word_length(&reader->cursor);
-    reader->cursor.at += length;
-    if (length == 1 && *word == 'v')
+    if (is_word(reader, "v"))
         return read_point(reader);
-    if (length == 2 && memcmp(word, "vn", 2) == 0)
+    if (is_word(reader, "vn"))
         return read_normal(reader);
-    if (length == 1 && *word == 'f')
+    if (is_word(reader, "f"))
         return read_face(reader);
-    if (length == 6 && memcmp(word, "usemtl", 6) == 0)
+    if (is_word(reader, "usemtl"))
         return read_usemtl(reader);
-    if (is_unused_keyword(word, length))
-        return true;
-    reader->cursor.at = word;
-    return word_fault(reader, "a keyword of an OBJ file; expected v, vn, vt, f, usemtl, g, o, s or mtllib");
+    char padded[16] = "";
+    snprintf(padded, sizeof padded, " %.*s ", (int)(reader->word_end - reader->at), reader->at);
+    return strstr(unused_keywords, padded) ||
+           word_fault(reader, "a keyword of an OBJ file; expected v, vn, vt, f, usemtl, g, o, s or mtllib");
 }
 
-bool obj_read_text(const char *text, size_t size, const char *name, ObjMesh *mesh, Error *error)
+bool obj_read_text(const char *text, size_t size, const char *name, const ObjNames *names, ObjMesh *mesh, Error *error)
 {
     *mesh = (ObjMesh){0};
-    Reader reader = {
-        .cursor = {text, text + size, 1}, .name = name, .mesh = mesh, .material = OBJ_NONE, .error = error};
-    if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
-        reader.cursor.at += 3; // the mark that some editors put before UTF-8
-    for (; reader.cursor.at < reader.cursor.end; obj_next_line(&reader.cursor))
-        if (!obj_at_line_end(&reader.cursor) && !read_statement(&reader))
+    bool mark = size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0; // that some editors put before UTF-8
+    Reader reader = {.word_end = text + (mark ? 3 : 0),
+                     .end = text + size,
+                     .line = 1,
+                     .name = name,
+                     .names = names,
+                     .mesh = mesh,
+                     .material = OBJ_NONE,
+                     .error = error};
+    for (; reader.word_end < reader.end; next_line(&reader))
+        if (next_word(&reader) && !read_statement(&reader))
             return false;
     return mesh->triangle_count > 0 || fault(&reader, "the file ends without a face; expected lines like 'f 1 2 3'");
 }
@@ -266,6 +290,5 @@ void obj_free(ObjMesh *mesh)
     free(mesh->points);
     free(mesh->normals);
     free(mesh->triangles);
-    free(mesh->materials);
     *mesh = (ObjMesh){0};
 }

@@ -67,27 +67,10 @@ bool scene_check_edges(const SceneEntry *entry, const char *key, Vec3 edge_u, Ve
                        edge_u.x, edge_u.y, edge_u.z, edge_v.x, edge_v.y, edge_v.z);
 }
 
-static const char *material_name(const void *builder, size_t i)
+const char *scene_material_name(const void *builder, size_t i)
 {
     const SceneBuilder *of = builder;
     return i < of->file_materials ? of->scene->materials[i].name : NULL;
-}
-
-bool scene_find_material(const SceneBuilder *builder, const char *name, uint32_t *material)
-{
-    const char *known;
-    for (size_t i = 0; (known = material_name(builder, i)); i++) {
-        if (strcmp(known, name) != 0)
-            continue;
-        *material = (uint32_t)i;
-        return true;
-    }
-    return false;
-}
-
-void scene_suggest_material(const SceneBuilder *builder, const char *name, char *message, size_t size)
-{
-    text_suggest(message, size, name, material_name, builder);
 }
 
 Vec3 scene_rotate(Vec3 p, int axis, float degrees)

@@ -15,10 +15,8 @@ bool scene_add_normals(SceneBuilder *builder, const Vec3 corners[3]);
 // May these be sides of a flat? If not, says why at `key`.
 bool scene_check_edges(const SceneEntry *entry, const char *key, Vec3 edge_u, Vec3 edge_v);
 
-// The number of a material of the file; false, and *material unchanged, when there is none of that name.
-bool scene_find_material(const SceneBuilder *builder, const char *name, uint32_t *material);
-// "did you mean …" for a name that is none.
-void scene_suggest_material(const SceneBuilder *builder, const char *name, char *message, size_t size);
+// Name number i of the file's materials, NULL past the last: a TextNameAt of the builder.
+const char *scene_material_name(const void *builder, size_t i);
 
 // A mesh's triangles; `material` for faces without usemtl, NO_MATERIAL when there is none.
 bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t material);

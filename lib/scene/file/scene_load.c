@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -43,28 +44,16 @@ Scene *scene_load_text(const char *text, size_t size, const char *file, const ch
     return builder.scene;
 }
 
-// What stands in a path before the file's name, with its last slash; the caller frees it.
-static char *folder_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    size_t length = slash ? (size_t)(slash - path) + 1 : 0;
-    char *folder = malloc(length + 1);
-    if (folder) {
-        memcpy(folder, path, length);
-        folder[length] = '\0';
-    }
-    return folder;
-}
-
 Scene *scene_load(const char *path, Error *error)
 {
     size_t size = 0;
     char *text = text_read_file(path, LARGEST_SCENE_FILE, &size, error);
-    char *folder = text ? folder_of(path) : NULL;
-    Scene *scene = folder ? scene_load_text(text, size, path, folder, error) : NULL;
-    if (text && !folder)
-        error_set(error, "%s: not enough memory", path);
-    free(folder);
+    if (!text)
+        return NULL;
+    const char *slash = strrchr(path, '/');
+    char folder[LONGEST_PATH];
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 0, path);
+    Scene *scene = scene_load_text(text, size, path, folder, error);
     free(text);
     return scene;
 }

@@ -6,7 +6,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define LARGEST_OBJ_FILE ((size_t)512 << 20) // bytes: five million triangles and more
 
@@ -70,30 +69,7 @@ static bool add_corner_normals(SceneBuilder *builder, const ObjMesh *mesh, const
     return scene_add_normals(builder, corners);
 }
 
-// The scene's numbers of the mesh's materials, and last that of faces without any. The caller frees them.
-static uint32_t *mesh_materials(const SceneBuilder *builder, const ObjMesh *mesh, const char *path, uint32_t unnamed)
-{
-    uint32_t *numbers = malloc((mesh->material_count + 1) * sizeof *numbers);
-    if (!numbers) {
-        error_set(builder->file.error, "%s: not enough memory", path);
-        return NULL;
-    }
-    numbers[mesh->material_count] = unnamed;
-    for (size_t i = 0; i < mesh->material_count; i++) {
-        const ObjMaterial *material = &mesh->materials[i];
-        if (scene_find_material(builder, material->name, &numbers[i]))
-            continue;
-        char suggestion[400];
-        scene_suggest_material(builder, material->name, suggestion, sizeof suggestion);
-        error_set(builder->file.error, "%s:%ld: usemtl '%s' is no material of %s; %s", path, material->line,
-                  material->name, builder->file.name, suggestion);
-        free(numbers);
-        return NULL;
-    }
-    return numbers;
-}
-
-static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMesh *mesh, const uint32_t *materials)
+static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMesh *mesh, uint32_t unnamed)
 {
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         const ObjTriangle *triangle = &mesh->triangles[i];
@@ -103,7 +79,7 @@ static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMe
             .origin = origin,
             .edge_u = vec3_sub(mesh->points[point[1]], origin),
             .edge_v = vec3_sub(mesh->points[point[2]], origin),
-            .material = materials[triangle->material == OBJ_NONE ? mesh->material_count : triangle->material],
+            .material = triangle->material == OBJ_NONE ? unnamed : triangle->material,
             .is_triangle = 1,
         };
         if (flat.material == NO_MATERIAL)
@@ -120,26 +96,14 @@ static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMe
     return true;
 }
 
-// The file's name is taken from the scene's folder, unless it begins with a slash. The caller frees the path.
-static char *mesh_path(const char *folder, const char *file)
-{
-    size_t size = strlen(folder) + strlen(file) + 1;
-    char *path = malloc(size);
-    if (path)
-        snprintf(path, size, "%s%s", file[0] == '/' ? "" : folder, file);
-    return path;
-}
-
 static bool add_text(SceneBuilder *builder, SceneEntry *entry, const char *text, size_t size, const char *path,
                      uint32_t material)
 {
     ObjMesh mesh;
-    uint32_t *materials = NULL;
+    ObjNames names = {scene_material_name, builder, builder->file.name};
     Placement placement = placement_of(entry);
-    bool fine = obj_read_text(text, size, path, &mesh, builder->file.error) && place_mesh(entry, &mesh, &placement) &&
-                (materials = mesh_materials(builder, &mesh, path, material)) &&
-                add_mesh(builder, entry, &mesh, materials);
-    free(materials);
+    bool fine = obj_read_text(text, size, path, &names, &mesh, builder->file.error) &&
+                place_mesh(entry, &mesh, &placement) && add_mesh(builder, entry, &mesh, material);
     obj_free(&mesh);
     return fine;
 }
@@ -148,13 +112,14 @@ bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t materia
 {
     if (!builder->folder)
         return scene_fault(entry, "file", "meshes are not read here");
-    char *path = mesh_path(builder->folder, scene_word(entry, "file"));
+    const char *file = scene_word(entry, "file");
+    char path[LONGEST_PATH + 1024];
+    snprintf(path, sizeof path, "%s%s", file[0] == '/' ? "" : builder->folder, file);
     Error unread = {""};
     size_t size = 0;
-    char *text = path ? text_read_file(path, LARGEST_OBJ_FILE, &size, &unread) : NULL;
+    char *text = text_read_file(path, LARGEST_OBJ_FILE, &size, &unread);
     bool fine = text ? add_text(builder, entry, text, size, path, material)
                      : scene_fault(entry, "file", "the mesh %s", unread.message);
     free(text);
-    free(path);
     return fine;
 }

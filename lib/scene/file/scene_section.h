@@ -7,6 +7,8 @@
 #include "scene/scene.h"
 #include "scene/scene_entry.h"
 
+#define LONGEST_PATH 4096 // of a file that the system opens
+
 // A scene half made.
 typedef struct {
     SceneFile file;

@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "scene/file/scene_build.h"
 
 static bool build_sphere(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
@@ -149,14 +150,14 @@ static const SceneType *type_at(size_t i)
 
 static bool build(SceneBuilder *builder, SceneEntry *entry)
 {
-    uint32_t material = NO_MATERIAL;
     const char *name = scene_word(entry, "material");
-    if (name && !scene_find_material(builder, name, &material)) {
+    size_t material = NO_MATERIAL;
+    if (name && !text_find_name(name, scene_material_name, builder, &material)) {
         char suggestion[400];
-        scene_suggest_material(builder, name, suggestion, sizeof suggestion);
+        text_suggest(suggestion, sizeof suggestion, name, scene_material_name, builder);
         return scene_fault(entry, "material", "there is no material '%s'; %s", name, suggestion);
     }
-    return kinds[entry->type_number].build(builder, entry, material);
+    return kinds[entry->type_number].build(builder, entry, (uint32_t)material);
 }
 
 static const SceneKey keys[] = {
