@@ -27,8 +27,9 @@ static inline Box box_empty(void)
 
 static inline void box_add_point(Box *box, Vec3 p)
 {
-    box->low = vec3(fminf(box->low.x, p.x), fminf(box->low.y, p.y), fminf(box->low.z, p.z));
-    box->high = vec3(fmaxf(box->high.x, p.x), fmaxf(box->high.y, p.y), fmaxf(box->high.z, p.z));
+    Vec3 low = box->low, high = box->high;
+    box->low = vec3(p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z);
+    box->high = vec3(p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z);
 }
 
 // i from 0 to 7: bit 0 for high x, bit 1 for high y, bit 2 for high z.

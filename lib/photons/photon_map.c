@@ -9,10 +9,9 @@
 //   1. photon_map_internal.h: how it lies in memory. No pointers: the halving is exact, so that a node's photons follow
 //      from its number. No planes: boxes around the photons, which enclose less. Four children to a node: two halvings
 //      at once, since four boxes are tested as fast as one.
-//   2. photon_map_build.c: build_range halves, stores a box, and calls itself for either half.
+//   2. This file: build_range halves, stores a box, and calls itself for either half.
 //   3. photon_map_median.c: what "halve" is. To find the median needs no sorting (quickselect).
-//   4. This file: photon_map_visit walks the tree with a fixed radius. It is the search without its difficulties.
-//   5. photon_map_nearest.c: search_tree is the same walk for the k nearest, the nearest box first, with a radius that
+//   4. photon_map_nearest.c: search_tree walks the tree for the k nearest, the nearest box first, with a radius that
 //      shrinks. In place of a heap all that lie within it are collected, and cut down to k when the array is full. The
 //      first radius is a guess (guess_limit).
 // tests/unit/photons/test_photon_map.c compares the answers with a look at all photons, from none to 64 and for many.
@@ -20,83 +19,125 @@
 
 #include <stdlib.h>
 
-// A run of leaves that follow one another in the photon array, gathered for one call of the visitor.
+enum {
+    TASK_PHOTONS = 16384 // ranges longer than this are worth a task of their own
+};
+
+static const float FARTHEST = 1e18f; // m; its square is still far from overflowing
+
+// What the recursion works on. `values` has a place for each photon: each range uses its own.
 typedef struct {
-    const PhotonMap *map;
-    PhotonVisitor visit;
-    void *user;
-    size_t begin, end;
-} Run;
+    PhotonMap *map;
+    float *values;
+} Builder;
 
-static void run_visit(Run *run)
+static Box bounds(const StoredPhoton *photons, size_t count)
 {
-    if (run->end > run->begin)
-        run->visit(run->map->photons + run->begin, run->end - run->begin, run->user);
+    Box box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        box_add_point(&box, photons[i].position);
+    return box;
 }
 
-static void run_add_leaf(Run *run, size_t leaf)
+// Writes the box of range `index` of the 2^level ranges at `level` into its parent node.
+static void store_box(PhotonMap *map, int level, size_t index, Box box)
 {
-    size_t begin = leaf_begin(run->map, leaf);
-    if (begin != run->end) {
-        run_visit(run);
-        run->begin = begin;
+    size_t ranges = (size_t)1 << level;
+    size_t number = index + (level % 2 == 0 ? (ranges - 1) / 3 : 1 + (ranges - 2) / 3);
+    size_t place = number - (size_t)map->first_child;
+    MapNode *parent = &map->nodes[place / 4];
+    for (int axis = 0; axis < 3; axis++) {
+        parent->low[axis][place % 4] = vec3_component(box.low, axis);
+        parent->high[axis][place % 4] = vec3_component(box.high, axis);
     }
-    run->end = leaf_begin(run->map, leaf + 1);
 }
 
-void photon_map_visit(const PhotonMap *map, Vec3 point, float radius, PhotonVisitor visit, void *user)
+static void build_range(const Builder *builder, int level, size_t index)
 {
-    if (map->count == 0)
+    PhotonMap *map = builder->map;
+    int halvings = map->depth - level;
+    size_t begin = leaf_begin(map, index << halvings);
+    size_t end = leaf_begin(map, (index + 1) << halvings);
+    Box box = bounds(map->photons + begin, end - begin);
+    if (level > 0 && halvings % 2 == 0)
+        store_box(map, level, index, box);
+    if (halvings == 0)
         return;
-    Run run = {.map = map, .visit = visit, .user = user};
-    size_t stack[STACK_CAPACITY];
-    stack[0] = 0;
-    size_t waiting = 1;
-    while (waiting > 0) {
-        size_t number = stack[--waiting];
-        if (number >= map->node_count) {
-            run_add_leaf(&run, number - map->node_count);
-            continue;
-        }
-        float distance2[4];
-        node_distances(&map->nodes[number], point, distance2);
-        for (size_t c = 4; c-- > 0;) { // backwards, so that leaves come off the stack in order and make long runs
-            stack[waiting] = child_number(map, number, c);
-            waiting += distance2[c] < radius * radius;
-        }
+    size_t middle = leaf_begin(map, (2 * index + 1) << (halvings - 1));
+    photon_map_halve(map->photons + begin, end - begin, box, middle - begin, builder->values + begin);
+    if (end - begin > TASK_PHOTONS) {
+#ifdef _OPENMP
+#pragma omp task
+#endif
+        build_range(builder, level + 1, 2 * index);
+    } else {
+        build_range(builder, level + 1, 2 * index);
     }
-    run_visit(&run);
+    build_range(builder, level + 1, 2 * index + 1);
 }
 
-typedef struct {
-    Vec3 point;
-    float radius2;
-    NearPhoton *near;
-    size_t capacity, found;
-} Within;
-
-static void within_add(const StoredPhoton *run, size_t count, void *user)
+static bool check_positions(const StoredPhoton *photons, size_t count, Error *error)
 {
-    Within *within = user;
-    if (within->found + count <= within->capacity) {
-        within->found += collect(run, count, within->point, within->radius2, within->near + within->found);
-        return;
-    }
     for (size_t i = 0; i < count; i++) {
-        NearPhoton entry;
-        if (collect(&run[i], 1, within->point, within->radius2, &entry) == 0)
-            continue;
-        if (within->found < within->capacity)
-            within->near[within->found] = entry;
-        within->found++;
+        Vec3 p = photons[i].position;
+        if (!(fabsf(p.x) <= FARTHEST && fabsf(p.y) <= FARTHEST && fabsf(p.z) <= FARTHEST))
+            return error_set(error, "photon %zu lies at (%g, %g, %g); coordinates must be finite and at most %g m", i,
+                             (double)p.x, (double)p.y, (double)p.z, (double)FARTHEST);
     }
+    return true;
 }
 
-size_t photon_map_within(const PhotonMap *map, Vec3 point, float radius, NearPhoton *near, size_t capacity)
+static void set_shape(PhotonMap *map, size_t count)
 {
-    Within within = {point, radius * radius, near, capacity, 0};
-    photon_map_visit(map, point, radius, within_add, &within);
-    return within.found;
+    map->count = count;
+    while (count > (size_t)LEAF_PHOTONS << map->depth)
+        map->depth++;
+    size_t leaves = (size_t)1 << map->depth;
+    map->first_child = map->depth % 2 == 0 ? 1 : -1;
+    map->node_count = map->depth % 2 == 0 ? (leaves - 1) / 3 : 1 + (leaves - 2) / 3;
+}
+
+static bool build_tree(PhotonMap *map, Error *error)
+{
+    if (!check_positions(map->photons, map->count, error))
+        return false;
+    if (map->count == 0)
+        return true;
+    float *values = malloc(map->count * sizeof *values);
+    map->nodes = malloc((map->node_count + 1) * sizeof *map->nodes);
+    if (!values || !map->nodes) {
+        free(values);
+        return error_set(error, "no memory for the index of %zu photons", map->count);
+    }
+    for (size_t i = 0; i < 12 * map->node_count; i++) { // all boxes empty
+        map->nodes[i / 12].low[i / 4 % 3][i % 4] = INFINITY;
+        map->nodes[i / 12].high[i / 4 % 3][i % 4] = -INFINITY;
+    }
+    Builder builder = {map, values};
+#ifdef _OPENMP
+#pragma omp parallel if (map->count > TASK_PHOTONS)
+#pragma omp single
+#endif
+    build_range(&builder, 0, 0);
+    free(values);
+    return true;
+}
+
+PhotonMap *photon_map_build(StoredPhoton *photons, size_t count, Error *error)
+{
+    PhotonMap *map = calloc(1, sizeof *map);
+    if (!map) {
+        free(photons);
+        error_set(error, "no memory for a photon map");
+        return NULL;
+    }
+    map->photons = photons;
+    set_shape(map, count);
+    if (!build_tree(map, error)) {
+        photon_map_free(map);
+        return NULL;
+    }
+    return map;
 }
 
 size_t photon_map_count(const PhotonMap *map)

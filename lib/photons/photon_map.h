@@ -36,15 +36,6 @@ size_t photon_map_nearest(const PhotonMap *map, Vec3 point, size_t k, float *rad
 #define PHOTON_MAP_NEAREST_CAPACITY(k) (2 * (k) + 64)
 #define PHOTON_MAP_NEAREST_ROOM        PHOTON_MAP_NEAREST_CAPACITY // its name in earlier handouts
 
-// Calls visit for runs of photons such that every photon with distance² < radius² is in exactly one run; a run may
-// hold others, too. The visitor tests the distance itself. Cheap: nothing is collected.
-typedef void (*PhotonVisitor)(const StoredPhoton *run, size_t count, void *user);
-void photon_map_visit(const PhotonMap *map, Vec3 point, float radius, PhotonVisitor visit, void *user);
-
-// All photons with distance² < radius², appended to `near` (at most `capacity`). Returns how many there are, which may be
-// more than capacity.
-size_t photon_map_within(const PhotonMap *map, Vec3 point, float radius, NearPhoton *near, size_t capacity);
-
 size_t photon_map_count(const PhotonMap *map);
 const StoredPhoton *photon_map_photons(const PhotonMap *map); // all of them, in the tree's order
 size_t photon_map_bytes(const PhotonMap *map);                // photons and index together

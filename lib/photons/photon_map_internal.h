@@ -20,8 +20,7 @@ enum {
 // The boxes around four children's photons. An empty box (low = ∞, high = −∞) is infinitely far from
 // everything.
 typedef struct {
-    float low_x[4], low_y[4], low_z[4];
-    float high_x[4], high_y[4], high_z[4];
+    float low[3][4], high[3][4]; // x, y, z
 } MapNode;
 
 // Nodes are numbered level by level from the root, 0, and leaves go on where nodes end. Child c of node i is
@@ -60,9 +59,9 @@ static inline float outside(float low, float value, float high)
 static inline void node_distances(const MapNode *node, Vec3 point, float distance2[4])
 {
     for (int c = 0; c < 4; c++) {
-        float dx = outside(node->low_x[c], point.x, node->high_x[c]);
-        float dy = outside(node->low_y[c], point.y, node->high_y[c]);
-        float dz = outside(node->low_z[c], point.z, node->high_z[c]);
+        float dx = outside(node->low[0][c], point.x, node->high[0][c]);
+        float dy = outside(node->low[1][c], point.y, node->high[1][c]);
+        float dz = outside(node->low[2][c], point.z, node->high[2][c]);
         distance2[c] = dx * dx + dy * dy + dz * dz;
     }
 }

@@ -146,9 +146,9 @@ static void search_tree(Search *search)
 // surface of the size of its two longest sides, or along its longest.
 static float guess_from_box(const MapNode *node, size_t c, float photons_in_box, float k)
 {
-    float x = node->high_x[c] - node->low_x[c];
-    float y = node->high_y[c] - node->low_y[c];
-    float z = node->high_z[c] - node->low_z[c];
+    float x = node->high[0][c] - node->low[0][c];
+    float y = node->high[1][c] - node->low[1][c];
+    float z = node->high[2][c] - node->low[2][c];
     float longest = fmaxf(x, fmaxf(y, z));
     float area = fmaxf(x * y, fmaxf(y * z, x * z));
     float share = k / photons_in_box;

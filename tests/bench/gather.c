@@ -61,7 +61,8 @@ static Tally tally_start(const Work *work, size_t query)
 static Sums measure_within(const Work *work, size_t query, NearPhoton *near)
 {
     Tally tally = tally_start(work, query);
-    size_t found = photon_map_within(work->map, tally.point, work->radius, near, 2 * BENCH_MAX_K);
+    float r2 = work->radius * work->radius;
+    size_t found = photon_map_nearest(work->map, tally.point, BENCH_MAX_K, &r2, near);
     for (size_t i = 0; i < found; i++)
         tally_add(&tally, near[i].photon, near[i].distance2);
     return (Sums){0.0, (double)tally.found, (double)colour_sum(tally.sum)};

@@ -143,69 +143,6 @@ TEST(test_no_photons_wanted)
     assert_true(radius2 == 3.0f);
 }
 
-typedef struct {
-    const StoredPhoton *first;
-    unsigned char *seen; // how often each photon was in a run
-    size_t count;
-} Seen;
-
-static void mark_seen(const StoredPhoton *run, size_t count, void *user)
-{
-    Seen *seen = user;
-    assert_true(run >= seen->first && run + count <= seen->first + seen->count);
-    for (size_t i = 0; i < count; i++)
-        seen->seen[run - seen->first + (ptrdiff_t)i]++;
-}
-
-static void check_visit(const PhotonMap *map, Vec3 point, float radius)
-{
-    Seen seen = {photon_map_photons(map), NULL, photon_map_count(map)};
-    seen.seen = calloc(seen.count + 1, 1);
-    assert_non_null(seen.seen);
-    photon_map_visit(map, point, radius, mark_seen, &seen);
-    for (size_t i = 0; i < seen.count; i++) {
-        bool in_reach = distance2_to(&seen.first[i], point) < radius * radius;
-        assert_true(in_reach ? seen.seen[i] == 1 : seen.seen[i] <= 1);
-    }
-    free(seen.seen);
-}
-
-static void check_within(const PhotonMap *map, Vec3 point, float radius)
-{
-    size_t count = photon_map_count(map);
-    float *sorted = sorted_distances(map, point);
-    size_t expected = count_below(sorted, count, radius * radius);
-    for (size_t room = 0; room <= expected + 1; room += 1 + expected / 3) {
-        NearPhoton *near = malloc((room + 1) * sizeof *near);
-        assert_non_null(near);
-        near[room].distance2 = -1.0f;
-        assert_int_equal(photon_map_within(map, point, radius, near, room), expected);
-        assert_true(near[room].distance2 == -1.0f);
-        size_t written = expected < room ? expected : room;
-        for (size_t i = 0; i < written; i++)
-            assert_true(near[i].distance2 < radius * radius);
-        assert_distinct(near, written);
-        free(near);
-    }
-    free(sorted);
-}
-
-TEST(test_visit_and_within)
-{
-    static const size_t counts[] = {0, 1, 2, 15, 16, 17, 31, 32, 33, 63, 64, 65, 127, 1000, 20000};
-    static const float radii[] = {0.0f, 0.01f, 0.2f, 1.0f, 1000.0f};
-    for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++)
-        for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
-            PhotonMap *map = make_map((Arrangement)arrangement, counts[i], 6);
-            Rng rng = rng_create(7, i);
-            for (int which = 0; which < 20; which++) {
-                Vec3 point = make_query(map, (Arrangement)arrangement, which % 4, &rng);
-                check_visit(map, point, radii[which % 5]);
-                check_within(map, point, radii[which % 5]);
-            }
-        }
-}
-
 // The header's example, word for word.
 TEST(test_example_of_the_header)
 {
