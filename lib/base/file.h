@@ -11,10 +11,18 @@
 // "path: what is wrong" in the error otherwise.
 char *file_read(const char *path, size_t most, size_t *size, Error *error);
 
-// A file being written beside the place it is meant for.
+// From the last dot of the file's name on; "" when it has none. Does it end in this one, capital or not?
+const char *file_ending(const char *path);
+bool file_ends_in(const char *path, const char *ending);
+
+// Writes a float as four bytes, little-endian on every machine; returns the place behind them.
+unsigned char *file_put_float(unsigned char *at, float value);
+
+// A file being written beside the place it is meant for. `path` is the caller's, and is to stay till the end.
 typedef struct {
     FILE *stream; // write here
-    char *path, *beside;
+    const char *path;
+    char beside[4096];
 } FileWriter;
 
 // Opens a new file next to `path`. Refuses to replace anything but a regular file that may be written.

@@ -13,17 +13,12 @@ typedef bool ImageDecoder(Image *image, const unsigned char *bytes, size_t size,
 ImageDecoder image_read_png_memory;
 ImageDecoder image_read_pfm_memory;
 
-// Writes a checked image to the stream. False, with the error set, when the stream takes no more.
-typedef bool ImageEncoder(const Image *image, FILE *stream, const char *name, Error *error);
-
-// Loads the whole file and decodes it.
-bool image_read_file(Image *image, const char *path, ImageDecoder *decode, Error *error);
-
-// Checks the image, encodes it into a file beside `path` and renames that to `path`.
-bool image_write_file(const Image *image, const char *path, ImageEncoder *encode, Error *error);
+// Writes a checked image to the stream; whether that took it all shows when the file is closed. bits: 8 or 16.
+bool image_encode_png(const Image *image, FILE *stream, const char *name, int bits, Error *error);
+void image_encode_pfm(const Image *image, FILE *stream);
 
 // False when a side or the number of pixels is out of bounds.
-bool image_check_size(unsigned long width, unsigned long height, const char *name, Error *error);
+bool image_check_size(long width, long height, const char *name, Error *error);
 
 // False, naming the pixel, when one is NaN or infinite, or when there are none at all.
 bool image_check_finite(const Image *image, const char *name, Error *error);

@@ -3,19 +3,17 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include <strings.h>
 
 // No image that we read is longer: the most pixels as PFM, and 4 kB for its header.
 #define MAX_FILE_BYTES (12ull * IMAGE_MAX_PIXELS + 4096)
 
-bool image_check_size(unsigned long width, unsigned long height, const char *name, Error *error)
+bool image_check_size(long width, long height, const char *name, Error *error)
 {
     if (width < 1 || height < 1 || width > IMAGE_MAX_SIDE || height > IMAGE_MAX_SIDE)
-        return error_set(error, "%s: the size is %lu×%lu pixels; expected 1 to %d on each side", name, width, height,
+        return error_set(error, "%s: the size is %ld×%ld pixels; expected 1 to %d on each side", name, width, height,
                          IMAGE_MAX_SIDE);
-    if ((unsigned long long)width * height > IMAGE_MAX_PIXELS)
-        return error_set(error, "%s: the size is %lu×%lu pixels; expected at most %ld in all", name, width, height,
+    if ((long long)width * height > IMAGE_MAX_PIXELS)
+        return error_set(error, "%s: the size is %ld×%ld pixels; expected at most %ld in all", name, width, height,
                          IMAGE_MAX_PIXELS);
     return true;
 }
@@ -23,10 +21,7 @@ bool image_check_size(unsigned long width, unsigned long height, const char *nam
 bool image_create(Image *image, int width, int height, Error *error)
 {
     *image = (Image){0};
-    if (width < 1 || height < 1)
-        return error_set(error, "image: the size is %d×%d pixels; expected 1 to %d on each side", width, height,
-                         IMAGE_MAX_SIDE);
-    if (!image_check_size((unsigned long)width, (unsigned long)height, "image", error))
+    if (!image_check_size(width, height, "image", error))
         return false;
     Colour *pixels = calloc((size_t)width * (size_t)height, sizeof *pixels);
     if (!pixels)
@@ -76,24 +71,11 @@ float srgb_decode(float encoded)
     return encoded <= 0.04045f ? encoded / 12.92f : powf((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
-// From the last dot of the file's name on; "" when it has none.
-static const char *path_ending(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    const char *dot = strrchr(slash ? slash : path, '.');
-    return dot ? dot : "";
-}
-
-static bool ends_in(const char *path, const char *ending)
-{
-    return strcasecmp(path_ending(path), ending) == 0;
-}
-
 bool image_path_is_known(const char *path, Error *error)
 {
-    if (ends_in(path, ".png") || ends_in(path, ".pfm"))
+    if (file_ends_in(path, ".png") || file_ends_in(path, ".pfm"))
         return true;
-    const char *ending = path_ending(path);
+    const char *ending = file_ending(path);
     return error_set(error, "%s: the name %s%s; expected .png (to look at) or .pfm (to measure)", path,
                      *ending ? "ends in " : "has no ending", ending);
 }
@@ -101,35 +83,38 @@ bool image_path_is_known(const char *path, Error *error)
 bool image_read(Image *image, const char *path, Error *error)
 {
     *image = (Image){0};
-    if (!image_path_is_known(path, error))
+    size_t size;
+    char *bytes = image_path_is_known(path, error) ? file_read(path, MAX_FILE_BYTES, &size, error) : NULL;
+    if (!bytes)
         return false;
-    return ends_in(path, ".png") ? image_read_png(image, path, error) : image_read_pfm(image, path, error);
+    ImageDecoder *decode = file_ends_in(path, ".png") ? image_read_png_memory : image_read_pfm_memory;
+    bool good = decode(image, (unsigned char *)bytes, size, path, error);
+    free(bytes);
+    return good;
+}
+
+bool image_write_png(const Image *image, const char *path, int bits, Error *error)
+{
+    FileWriter writer;
+    if (bits != 8 && bits != 16)
+        return error_set(error, "%s: a PNG file of %d bits was asked for; expected 8 or 16", path, bits);
+    if (!image_check_finite(image, path, error) || !file_write_begin(&writer, path, error))
+        return false;
+    return file_write_end(&writer, image_encode_png(image, writer.stream, path, bits, error), error);
+}
+
+bool image_write_pfm(const Image *image, const char *path, Error *error)
+{
+    FileWriter writer;
+    if (!image_check_finite(image, path, error) || !file_write_begin(&writer, path, error))
+        return false;
+    image_encode_pfm(image, writer.stream);
+    return file_write_end(&writer, true, error);
 }
 
 bool image_write(const Image *image, const char *path, Error *error)
 {
     if (!image_path_is_known(path, error))
         return false;
-    return ends_in(path, ".png") ? image_write_png(image, path, 8, error) : image_write_pfm(image, path, error);
-}
-
-bool image_read_file(Image *image, const char *path, ImageDecoder *decode, Error *error)
-{
-    *image = (Image){0};
-    size_t size;
-    char *bytes = file_read(path, MAX_FILE_BYTES, &size, error);
-    if (!bytes)
-        return false;
-    bool good = decode(image, (unsigned char *)bytes, size, path, error);
-    free(bytes);
-    return good;
-}
-
-bool image_write_file(const Image *image, const char *path, ImageEncoder *encode, Error *error)
-{
-    FileWriter writer;
-    if (!image_check_finite(image, path, error) || !file_write_begin(&writer, path, error))
-        return false;
-    bool good = encode(image, writer.stream, path, error);
-    return file_write_end(&writer, good, error);
+    return file_ends_in(path, ".png") ? image_write_png(image, path, 8, error) : image_write_pfm(image, path, error);
 }

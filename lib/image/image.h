@@ -42,11 +42,9 @@ float srgb_decode(float encoded);
 bool image_read(Image *image, const char *path, Error *error);
 bool image_write(const Image *image, const char *path, Error *error);
 
-// As above with the format chosen. bits: 8 or 16.
+// As above with the format chosen, whatever the ending. bits: 8 or 16.
 bool image_write_png(const Image *image, const char *path, int bits, Error *error);
 bool image_write_pfm(const Image *image, const char *path, Error *error);
-bool image_read_png(Image *image, const char *path, Error *error);
-bool image_read_pfm(Image *image, const char *path, Error *error);
 
 // True if image_write knows the path's ending; otherwise an error that names the endings it knows.
 bool image_path_is_known(const char *path, Error *error);

@@ -1,9 +1,9 @@
 // PFM (Debevec 2001): three lines of text, "PF" or "Pf" (three channels or one), "width height", and a scale
 // whose sign tells the byte order (negative: little-endian); then 32-bit floats, the bottom row first.
 #include "image/codec.h"
+#include "base/file.h"
 #include "base/text.h"
 
-#include <errno.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -48,7 +48,7 @@ static bool unexpected(const Header *header, const Word *word, const char *expec
     return error_set(header->error, "%s:%d: found \"%s\"; expected %s", header->name, word->line, word->text, expected);
 }
 
-static bool read_side(Header *header, unsigned long *side, const char *expected)
+static bool read_side(Header *header, long *side, const char *expected)
 {
     Word word = next_word(header);
     size_t digits = strspn(word.text, "0123456789");
@@ -56,7 +56,7 @@ static bool read_side(Header *header, unsigned long *side, const char *expected)
         return unexpected(header, &word, expected);
     *side = 0;
     for (size_t i = 0; i < digits; i++)
-        *side = *side > IMAGE_MAX_SIDE ? *side : 10 * *side + (unsigned long)(word.text[i] - '0');
+        *side = *side > IMAGE_MAX_SIDE ? *side : 10 * *side + (word.text[i] - '0');
     if (*side < 1 || *side > IMAGE_MAX_SIDE)
         return unexpected(header, &word, expected);
     return true;
@@ -108,7 +108,7 @@ bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size
 {
     *image = (Image){0};
     Header header = {.bytes = bytes, .size = size, .line = 1, .name = name, .error = error};
-    unsigned long width, height;
+    long width, height;
     Word kind = next_word(&header);
     bool colour = strcmp(kind.text, "PF") == 0;
     if (!colour && strcmp(kind.text, "Pf") != 0)
@@ -123,7 +123,7 @@ bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size
     if (header.at < size)
         header.at++; // the one space that ends the header
     size_t channels = colour ? 3 : 1;
-    if (!check_length(&header, 4ull * channels * width * height) ||
+    if (!check_length(&header, 4ull * channels * (unsigned long)width * (unsigned long)height) ||
         !image_create(image, (int)width, (int)height, error))
         return false;
     read_pixels(image, bytes + header.at, channels, scale.text[0] == '-');
@@ -133,43 +133,16 @@ bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size
     return false;
 }
 
-static void put_float(unsigned char *b, float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    for (int i = 0; i < 4; i++)
-        b[i] = (unsigned char)(bits >> 8 * i);
-}
-
-static bool write_failed(const char *name, Error *error)
-{
-    return error_set(error, "%s: cannot be written: %s", name, strerror(errno));
-}
-
 // Little-endian on every machine, so that the same image gives the same file.
-static bool encode(const Image *image, FILE *stream, const char *name, Error *error)
+void image_encode_pfm(const Image *image, FILE *stream)
 {
-    if (fprintf(stream, "PF\n%d %d\n-1.0\n", image->width, image->height) < 0)
-        return write_failed(name, error);
+    fprintf(stream, "PF\n%d %d\n-1.0\n", image->width, image->height);
     for (int row = image->height - 1; row >= 0; row--)
         for (int column = 0; column < image->width; column++) {
             Colour pixel = *image_at(image, column, row);
-            unsigned char bytes[12];
-            put_float(bytes, pixel.r);
-            put_float(bytes + 4, pixel.g);
-            put_float(bytes + 8, pixel.b);
-            if (fwrite(bytes, sizeof bytes, 1, stream) != 1)
-                return write_failed(name, error);
+            unsigned char bytes[12], *at = bytes;
+            for (int c = 0; c < 3; c++)
+                at = file_put_float(at, colour_channel(pixel, c));
+            fwrite(bytes, 1, sizeof bytes, stream);
         }
-    return true;
-}
-
-bool image_read_pfm(Image *image, const char *path, Error *error)
-{
-    return image_read_file(image, path, image_read_pfm_memory, error);
-}
-
-bool image_write_pfm(const Image *image, const char *path, Error *error)
-{
-    return image_write_file(image, path, encode, error);
 }

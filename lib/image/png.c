@@ -3,7 +3,6 @@
 // which libpng jumps out of have no locals that matter.
 #include "image/codec.h"
 
-#include <errno.h>
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,8 +25,7 @@ typedef struct {
     Image *image;
 
     const Image *source; // writing
-    FILE *stream;
-    png_bytep row; // one encoded row
+    png_bytep row;       // one encoded row
 } Codec;
 
 static void on_warning(png_structp png, png_const_charp message)
@@ -54,17 +52,10 @@ static void on_read(png_structp png, png_bytep target, size_t count)
     codec->at += count;
 }
 
+// That the stream takes no more shows when the file is closed.
 static void on_write(png_structp png, png_bytep bytes, size_t count)
 {
-    Codec *codec = png_get_io_ptr(png);
-    if (fwrite(bytes, 1, count, codec->stream) != count)
-        png_error(png, strerror(errno));
-}
-
-// libpng wants to be given one; fclose flushes.
-static void on_flush(png_structp png)
-{
-    (void)png;
+    fwrite(bytes, 1, count, png_get_io_ptr(png));
 }
 
 // Whatever the file holds, libpng hands out rows of red, green and blue with 8 or 16 bits each.
@@ -91,11 +82,10 @@ static void decode_row(Colour *pixels, int width, int bits)
     }
 }
 
-static void check_promise(Codec *codec, unsigned long width, unsigned long height)
+static void check_promise(Codec *codec)
 {
-    unsigned long long bits = (unsigned long long)png_get_bit_depth(codec->png, codec->info) *
-                              png_get_channels(codec->png, codec->info) * width * height;
-    if (bits / 8 > codec->size * MAX_COMPRESSION)
+    unsigned long long row = png_get_rowbytes(codec->png, codec->info);
+    if (row * png_get_image_height(codec->png, codec->info) > codec->size * MAX_COMPRESSION)
         png_error(codec->png, "truncated: the file is too short for its number of pixels");
 }
 
@@ -104,16 +94,16 @@ static bool read_all(Codec *codec)
     if (setjmp(png_jmpbuf(codec->png)))
         return false;
     png_read_info(codec->png, codec->info);
-    unsigned long width = png_get_image_width(codec->png, codec->info);
-    unsigned long height = png_get_image_height(codec->png, codec->info);
+    long width = png_get_image_width(codec->png, codec->info);
+    long height = png_get_image_height(codec->png, codec->info);
     if (!image_check_size(width, height, codec->name, codec->error))
         return false;
-    check_promise(codec, width, height);
+    check_promise(codec);
     ask_for_rgb(codec);
     int passes = png_set_interlace_handling(codec->png);
     png_read_update_info(codec->png, codec->info);
     int bits = png_get_bit_depth(codec->png, codec->info);
-    if (png_get_rowbytes(codec->png, codec->info) != 3 * (size_t)bits / 8 * width)
+    if (png_get_rowbytes(codec->png, codec->info) != 3 * (size_t)bits / 8 * (size_t)width)
         png_error(codec->png, "the rows are not red, green and blue");
     if (!image_create(codec->image, (int)width, (int)height, codec->error))
         return false;
@@ -182,15 +172,15 @@ static bool write_all(Codec *codec, int bits)
     return true;
 }
 
-static bool encode(const Image *image, FILE *stream, const char *name, int bits, Error *error)
+bool image_encode_png(const Image *image, FILE *stream, const char *name, int bits, Error *error)
 {
-    Codec codec = {.name = name, .error = error, .source = image, .stream = stream};
+    Codec codec = {.name = name, .error = error, .source = image};
     codec.row = malloc(6 * (size_t)image->width);
     codec.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &codec, on_error, on_warning);
     codec.info = codec.png ? png_create_info_struct(codec.png) : NULL;
     bool good = false;
     if (codec.row && codec.info) {
-        png_set_write_fn(codec.png, &codec, on_write, on_flush);
+        png_set_write_fn(codec.png, stream, on_write, NULL);
         good = write_all(&codec, bits);
     } else {
         error_set(error, "%s: no memory to write a PNG file", name);
@@ -198,26 +188,4 @@ static bool encode(const Image *image, FILE *stream, const char *name, int bits,
     png_destroy_write_struct(&codec.png, &codec.info);
     free(codec.row);
     return good;
-}
-
-static bool encode_8(const Image *image, FILE *stream, const char *name, Error *error)
-{
-    return encode(image, stream, name, 8, error);
-}
-
-static bool encode_16(const Image *image, FILE *stream, const char *name, Error *error)
-{
-    return encode(image, stream, name, 16, error);
-}
-
-bool image_read_png(Image *image, const char *path, Error *error)
-{
-    return image_read_file(image, path, image_read_png_memory, error);
-}
-
-bool image_write_png(const Image *image, const char *path, int bits, Error *error)
-{
-    if (bits != 8 && bits != 16)
-        return error_set(error, "%s: a PNG file of %d bits was asked for; expected 8 or 16", path, bits);
-    return image_write_file(image, path, bits == 8 ? encode_8 : encode_16, error);
 }

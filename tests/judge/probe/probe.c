@@ -197,7 +197,7 @@ int main(int count, char **arguments)
         return fail(&error);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what a step prints is out before it crashes
     probe_watch(a.object, a.objects);
-    FileWriter writer = {NULL, NULL, NULL};
+    FileWriter writer = {0};
     bool ok = load(&a, step, graded, &error) && (!a.out || file_write_begin(&writer, a.out, &error));
     ok = ok && run_cases(&a, step, text, a.out ? fileno(writer.stream) : a.fd, &error);
     if (writer.stream)
