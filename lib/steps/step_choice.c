@@ -1,4 +1,5 @@
 #include "steps/steps.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -29,10 +30,9 @@ static const StepInfo *first_of(const Pair *pair, int side)
 
 void step_choice_print(StepChoice choice, char *text, size_t size)
 {
-    size_t used = 0;
-    for (size_t i = 0; i < PAIR_COUNT && used < size; i++)
-        used += (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? "," : "",
-                                 first_of(&pairs[i], *field_of(&pairs[i], &choice))->id);
+    text[0] = '\0';
+    for (size_t i = 0; i < PAIR_COUNT; i++)
+        text_append(text, size, "%s%s", i > 0 ? "," : "", first_of(&pairs[i], *field_of(&pairs[i], &choice))->id);
 }
 
 StepChoice step_choice_for(const bool started[STEP_COUNT])
@@ -90,43 +90,26 @@ bool steps_are_paired(const StepInfo *step, const StepInfo *other)
     return pair && pair == pair_of(other, &other_side) && side != other_side;
 }
 
-// Takes one word of the list; each choice may be made once.
-static bool choose(const char *word, size_t length, StepChoice *choice, bool chosen[PAIR_COUNT])
-{
-    for (size_t i = 0; i < PAIR_COUNT; i++)
-        for (int side = 0; side < 2; side++) {
-            const char *id = first_of(&pairs[i], side)->id;
-            if (chosen[i] || length != strlen(id) || strncmp(word, id, length) != 0)
-                continue;
-            chosen[i] = true;
-            *field_of(&pairs[i], choice) = side;
-            return true;
-        }
-    return false;
-}
-
-// "2.3 or 2.4, and 1.5 or 3.4"
-static void list_choices(char *text, size_t size)
-{
-    size_t used = 0;
-    for (size_t i = 0; i < PAIR_COUNT && used < size; i++)
-        used += (size_t)snprintf(text + used, size - used, "%s%s or %s", i > 0 ? ", and " : "",
-                                 first_of(&pairs[i], 1)->id, first_of(&pairs[i], 0)->id);
-}
-
 bool step_choice_parse(const char *text, StepChoice *choice, Error *error)
 {
     *choice = (StepChoice){0};
     bool chosen[PAIR_COUNT] = {false};
     const char *word = text;
     do {
-        size_t length = strcspn(word, ",");
-        if (!choose(word, length, choice, chosen)) {
-            char choices[200];
-            list_choices(choices, sizeof choices);
-            return error_set(error, "--steps %s: no choice `%.*s`; expected %s, parted by a comma", text, (int)length,
-                             word, choices);
+        char id[16], choices[200] = ""; // "2.3 or 2.4, and 1.5 or 3.4"
+        int length = (int)strcspn(word, ","), side;
+        snprintf(id, sizeof id, "%.*s", length, word);
+        const StepInfo *step = step_find(id);
+        const Pair *pair = step ? pair_of(step, &side) : NULL;
+        if (!pair || first_of(pair, side) != step || chosen[pair - pairs]) { // each choice may be made once
+            for (size_t i = 0; i < PAIR_COUNT; i++)
+                text_append(choices, sizeof choices, "%s%s or %s", i > 0 ? ", and " : "", first_of(&pairs[i], 1)->id,
+                            first_of(&pairs[i], 0)->id);
+            return error_set(error, "--steps %s: no choice `%.*s`; expected %s, parted by a comma", text, length, word,
+                             choices);
         }
+        chosen[pair - pairs] = true;
+        *field_of(pair, choice) = side;
         word += length + (word[length] == ',');
     } while (*word);
     return true;

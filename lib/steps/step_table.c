@@ -4,13 +4,6 @@
 #include <string.h>
 
 // Each row says what its contract in the stage's header says, or this does not compile.
-#define VALUE(type, name)               , type name
-#define CHANGED(type, name)             , type *name
-#define FILLED(type, name)              , type *name
-#define FILLED_ARRAY(type, name, count) , type name[count]
-#define GIVEN(type, name)               , type name
-#define RNG                             , Rng *rng
-#define REDRAWS
 #define STEP(stage, number, symbol, title, anchor, pass, needs, reader, result, ...)                                   \
     enum { symbol##_has_a_contract = sizeof &symbol };                                                                 \
     result symbol(STEP_PARAMETERS(none __VA_ARGS__));

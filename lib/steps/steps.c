@@ -1,5 +1,6 @@
 #define _GNU_SOURCE // dladdr
 #include "steps/steps.h"
+#include "base/file.h"
 
 #include <dirent.h>
 #include <dlfcn.h>
@@ -7,6 +8,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+#define MOST_OBJECT_BYTES (1u << 30)
 
 Steps steps;
 StepState step_states[STEP_COUNT];
@@ -14,9 +18,9 @@ static long redraw_caps;
 
 void photonlab_step_not_started(const char *id)
 {
-    for (size_t i = 0; i < STEP_COUNT; i++)
-        if (strcmp(step_table[i].id, id) == 0)
-            step_states[i] = STEP_NOT_STARTED;
+    const StepInfo *step = step_find(id);
+    if (step)
+        step_states[step - step_table] = STEP_NOT_STARTED;
 }
 
 void redraw_cap_reached(void)
@@ -41,34 +45,19 @@ void steps_library_directory(char *directory, size_t size)
         snprintf(directory, size, "%.*s", (int)(slash - info.dli_fname), info.dli_fname);
 }
 
-static bool file_exists(const char *path)
-{
-    FILE *file = fopen(path, "rb");
-    if (file)
-        fclose(file);
-    return file != NULL;
-}
-
 // A stub calls todo(), so its object names that symbol. Looked for in the file, before any of its code runs.
 static bool object_calls_todo(const char *path)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return false;
     const char symbol[] = "\0photonlab_step_not_started"; // the 0 at both ends counts
-    size_t matched = 0;
-    bool found = false;
-    for (int c = getc(file); c != EOF && !found; c = getc(file)) {
-        if (matched == 1 && c == '_')
-            continue; // the leading underscore of other systems' symbols
-        matched = c == symbol[matched] ? matched + 1 : c == '\0';
-        found = matched == sizeof symbol;
-    }
-    fclose(file);
+    const char other[] = "\0_photonlab_step_not_started"; // as other systems spell it
+    size_t size;
+    char *bytes = file_read(path, MOST_OBJECT_BYTES, &size, NULL);
+    bool found = bytes && (memmem(bytes, size, symbol, sizeof symbol) || memmem(bytes, size, other, sizeof other));
+    free(bytes);
     return found;
 }
 
-static bool load_slot(const StepInfo *step, const char *path, Error *error)
+bool steps_load_slot(const StepInfo *step, const char *path, Error *error)
 {
     void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (!object)
@@ -89,63 +78,50 @@ static bool load_step(size_t i, const char *student_dir, const char *library, Er
     step_states[i] = STEP_REFERENCE;
     if (student_dir) {
         snprintf(path, sizeof path, "%s/%s.so", student_dir, step->file);
-        // dlopen looks for a bare name in the system's directories; ours are never bare, as step->file has a slash.
-        bool there = file_exists(path);
-        if (there && !object_calls_todo(path)) {
-            step_states[i] = STEP_STUDENT;
-            return load_slot(step, path, error);
-        }
-        step_states[i] = there ? STEP_NOT_STARTED : STEP_REFERENCE;
+        if (access(path, R_OK) == 0)
+            step_states[i] = object_calls_todo(path) ? STEP_NOT_STARTED : STEP_STUDENT;
     }
-    snprintf(path, sizeof path, "%s/solutions/%s.so", library, step->file);
-    if (!file_exists(path))
+    if (step_states[i] != STEP_STUDENT)
+        snprintf(path, sizeof path, "%s/solutions/%s.so", library, step->file);
+    if (access(path, R_OK) != 0)
         return error_set(error, "step %s: no reference solution at %s; run `make`", step->id, path);
-    return load_slot(step, path, error);
-}
-
-// Is there a step of this folder and file name?
-static bool is_step(const char *folder, const char *name)
-{
-    char file[512];
-    snprintf(file, sizeof file, "%s/%s", folder, name);
-    for (size_t i = 0; i < STEP_COUNT; i++) {
-        size_t length = strlen(step_table[i].file);
-        if (strncmp(file, step_table[i].file, length) == 0 && strcmp(file + length, ".so") == 0)
-            return true;
-    }
-    return false;
+    // dlopen looks for a bare name in the system's directories; ours are never bare, as step->file has a slash.
+    return steps_load_slot(step, path, error);
 }
 
 // A misspelt object would go unnoticed, with the reference in its place.
-static bool check_names(const char *student_dir, const char *folder, Error *error)
+static bool check_name(const char *student_dir, const char *folder, const char *name, Error *error)
 {
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", student_dir, folder);
-    DIR *directory = opendir(path);
-    if (!directory)
+    size_t length = strlen(name);
+    if (length < 3 || strcmp(name + length - 3, ".so") != 0)
         return true;
-    bool ok = true;
-    for (struct dirent *entry; ok && (entry = readdir(directory));) {
-        const char *ending = strrchr(entry->d_name, '.');
-        if (ending && strcmp(ending, ".so") == 0 && !is_step(folder, entry->d_name))
-            ok = error_set(error, "%s/%s: no step has this name; solutions/%s/ shows what they are called", path,
-                           entry->d_name, folder);
-    }
-    closedir(directory);
-    return ok;
+    char file[512];
+    snprintf(file, sizeof file, "%s/%.*s", folder, (int)length - 3, name);
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (strcmp(file, step_table[i].file) == 0)
+            return true;
+    return error_set(error, "%s/%s/%s: no step has this name; solutions/%s/ shows what they are called", student_dir,
+                     folder, name, folder);
 }
 
 static bool check_student_dir(const char *student_dir, Error *error)
 {
-    DIR *directory = opendir(student_dir);
-    if (!directory)
-        return error_set(error, "%s: is no directory of steps: %s", student_dir, strerror(errno));
-    closedir(directory);
+#define STAGE(number, scene) "/" FOLDER,
+    static const char *const folders[] = {
+        "",
+#include "steps/steps.def"
+    };
     bool ok = true;
-    for (size_t i = 0; ok && i < STEP_COUNT; i++) {
-        char folder[256];
-        snprintf(folder, sizeof folder, "%.*s", (int)strcspn(step_table[i].file, "/"), step_table[i].file);
-        ok = check_names(student_dir, folder, error);
+    for (size_t i = 0; ok && i < sizeof folders / sizeof *folders; i++) {
+        char path[4096];
+        snprintf(path, sizeof path, "%s%s", student_dir, folders[i]);
+        DIR *directory = opendir(path);
+        if (!directory && i == 0)
+            return error_set(error, "%s: is no directory of steps: %s", student_dir, strerror(errno));
+        for (struct dirent *entry; i > 0 && directory && ok && (entry = readdir(directory));)
+            ok = check_name(student_dir, folders[i] + 1, entry->d_name, error);
+        if (directory)
+            closedir(directory);
     }
     return ok;
 }
@@ -161,43 +137,4 @@ bool steps_load(const char *student_dir, Error *error)
             return false;
     steps_play((StepChoice){0});
     return true;
-}
-
-// Stands in every slot that a graded step has no business to call.
-static void step_is_absent(void)
-{
-    fprintf(stderr, "photonlab: a step was called that is not there while this one is graded\n");
-    abort();
-}
-
-static bool load_references(const bool graded[STEP_COUNT], const char *references, Error *error)
-{
-    void (*absent)(void) = step_is_absent;
-    for (size_t i = 0; i < STEP_COUNT; i++) {
-        char path[4096];
-        snprintf(path, sizeof path, "%s/%s.so", references, step_table[i].file);
-        memcpy((char *)&steps + step_table[i].slot, &absent, sizeof absent);
-        step_states[i] = graded[i] ? STEP_STUDENT : STEP_REFERENCE;
-        if (!graded[i] && file_exists(path) && !load_slot(&step_table[i], path, error))
-            return false;
-    }
-    return true;
-}
-
-bool steps_load_graded(const StepInfo *graded, const char *object, const char *references, Error *error)
-{
-    bool chosen[STEP_COUNT] = {false};
-    chosen[graded - step_table] = true;
-    return load_references(chosen, references, error) && load_slot(graded, object, error);
-}
-
-bool steps_load_several(const bool graded[STEP_COUNT], const char *objects, const char *references, Error *error)
-{
-    bool ok = load_references(graded, references, error);
-    for (size_t i = 0; ok && i < STEP_COUNT; i++) {
-        char path[4096];
-        snprintf(path, sizeof path, "%s/%s/step.so", objects, step_table[i].id);
-        ok = !graded[i] || load_slot(&step_table[i], path, error);
-    }
-    return ok;
 }

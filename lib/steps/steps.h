@@ -12,14 +12,7 @@
 
 #include <stddef.h>
 
-// A row's parameters, as a prototype lists them.
-#define VALUE(type, name)               , type name
-#define CHANGED(type, name)             , type *name
-#define FILLED(type, name)              , type *name
-#define FILLED_ARRAY(type, name, count) , type name[count]
-#define GIVEN(type, name)               , type name
-#define RNG                             , Rng *rng
-#define REDRAWS
+// A row's parameters, without the comma that they begin with.
 #define STEP_BEHIND(none, ...) __VA_ARGS__
 #define STEP_PARAMETERS(...)   STEP_BEHIND(__VA_ARGS__)
 
@@ -88,13 +81,8 @@ bool steps_load(const char *student_dir, Error *error);
 // The directory that this library lies in, so that solutions and hints are found from wherever the program is started.
 void steps_library_directory(char *directory, size_t size);
 
-// For grading one step: its slot from `object`, the others from whatever solutions lie in `references`, laid out as
-// StepInfo.file with the ending .so. The graded step's own solution is never loaded; a slot without any solution ends
-// the program with a message when it is called.
-bool steps_load_graded(const StepInfo *graded, const char *object, const char *references, Error *error);
-
-// The same for several steps together, each from objects/<its id>/step.so.
-bool steps_load_several(const bool graded[STEP_COUNT], const char *objects, const char *references, Error *error);
+// Fills one slot from this object.
+bool steps_load_slot(const StepInfo *step, const char *path, Error *error);
 
 // Which steps play where two do the same work, as the pairs of steps.def have it: "2.3" or "2.4" for glossy surfaces,
 // "1.5" or "3.4" for the photon's life; several parted by commas. Unset: 2.4 and 3.4, the later ones.
