@@ -145,10 +145,11 @@ bool text_find_name(const char *name, TextNameAt name_at, const void *list, size
     return false;
 }
 
-void text_suggest(char *message, size_t size, const char *word, TextNameAt name_at, const void *list)
+TextSuggestion text_suggest(const char *word, TextNameAt name_at, const void *list)
 {
+    TextSuggestion said = {""};
     const char *nearest = NULL, *name;
-    size_t best = 3;
+    size_t best = 3, first;
     for (size_t i = 0; (name = name_at(list, i)); i++) {
         size_t distance = text_distance(word, name);
         if (distance < best && distance < strlen(name)) {
@@ -157,12 +158,14 @@ void text_suggest(char *message, size_t size, const char *word, TextNameAt name_
         }
     }
     if (nearest) {
-        snprintf(message, size, "did you mean '%s'?", nearest);
-        return;
+        text_append(said.text, sizeof said.text, "did you mean '%s'?", nearest);
+        return said;
     }
-    size_t used = (size_t)snprintf(message, size, name_at(list, 0) ? "expected one of" : "there are none");
-    for (size_t i = 0; (name = name_at(list, i)) && used < size; i++)
-        used += (size_t)snprintf(message + used, size - used, i ? ", %s" : ": %s", name);
+    text_append(said.text, sizeof said.text, "%s", name_at(list, 0) ? "expected one of" : "there are none");
+    for (size_t i = 0; (name = name_at(list, i)); i++)
+        if (text_find_name(name, name_at, list, &first) && first == i)
+            text_append(said.text, sizeof said.text, i ? ", %s" : ": %s", name);
+    return said;
 }
 
 void text_make_printable(char *text)

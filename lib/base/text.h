@@ -30,8 +30,11 @@ typedef const char *(*TextNameAt)(const void *list, size_t i);
 bool text_find_name(const char *name, TextNameAt name_at, const void *list, size_t *number);
 
 // What to say of a word that is not in a list: "did you mean 'radius'?" when a name is near, else "expected
-// one of: a, b".
-void text_suggest(char *message, size_t size, const char *word, TextNameAt name_at, const void *list);
+// one of: a, b", each name once.
+typedef struct {
+    char text[400];
+} TextSuggestion;
+TextSuggestion text_suggest(const char *word, TextNameAt name_at, const void *list);
 
 // snprintf behind the text that is there already; cut off at the end of `size` bytes.
 void text_append(char *text, size_t size, const char *format, ...) PRINTF_LIKE(3, 4);

@@ -12,12 +12,14 @@ typedef struct {
     uint32_t line, column; // from 1
 } ScenePlace;
 
-// The value that the file gives to a key.
+// The value of a key.
 typedef struct {
     const SceneKey *key;
+    bool given; // by the file; otherwise the value that holds where it leaves the key out
     bool asked; // for by a build function
     ScenePlace place, part[3];
     double number[3]; // of KEY_TYPE: the type's number
+    int count;        // of numbers that the file gives for the key's range
     char *word;
 } SceneValue;
 
@@ -40,17 +42,12 @@ struct SceneEntry {
     const char *without_row;         // a key that was asked for and is none
 };
 
-// The row of a key; NULL: its type has none.
-const SceneKey *scene_row(const SceneEntry *entry, const char *key);
-// NULL: the file does not give this key. It may end in [0], [1] or [2].
+// NULL: it has none for this key.
 SceneValue *scene_value(const SceneEntry *entry, const char *key);
 
 // Writes "file:line:column: …". Always false.
-bool scene_fault_at(const SceneFile *file, ScenePlace place, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 3, 4)))
-#endif
-    ;
+bool scene_fault_at(const SceneFile *file, ScenePlace place, const char *format, ...) PRINTF_LIKE(3, 4);
+bool scene_out_of_memory(const SceneFile *file); // "file: not enough memory", false
 
 // Was every given key asked for, and no other? If not, the program lacks a row, or the code that uses one.
 bool scene_check_use(const SceneEntry *entry);

@@ -3,6 +3,7 @@
 #ifndef PHOTONLAB_SCENE_SCENE_KEY_H
 #define PHOTONLAB_SCENE_SCENE_KEY_H
 
+#include "base/error.h"
 #include "math/colour.h"
 #include "math/vec3.h"
 
@@ -74,13 +75,9 @@ Vec3 scene_three(SceneEntry *entry, const char *key);
 Colour scene_colour(SceneEntry *entry, const char *key);
 const char *scene_word(SceneEntry *entry, const char *key);
 
-// "file:line:column: …" with the place of a key's value ("radius"), of one of three ("radiance[1]"), or of the entry
-// itself (NULL, or a key that the file does not give). Always false.
-bool scene_fault(const SceneEntry *entry, const char *key, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 3, 4)))
-#endif
-    ;
+// "file:line:column: …" with the place of a key's value, or of the entry itself (NULL, or a key that the file does not
+// give). Always false.
+bool scene_fault(const SceneEntry *entry, const char *key, const char *format, ...) PRINTF_LIKE(3, 4);
 bool scene_memory_fault(const SceneEntry *entry); // "file: not enough memory"
 
 #endif

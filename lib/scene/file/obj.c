@@ -235,9 +235,8 @@ static bool read_usemtl(Reader *reader)
         reader->material = (uint32_t)number;
         return true;
     }
-    char suggestion[400];
-    text_suggest(suggestion, sizeof suggestion, name, names->name_at, names->list);
-    return fault(reader, "usemtl '%s' is no material of %s; %s", name, names->of, suggestion);
+    return fault(reader, "usemtl '%s' is no material of %s; %s", name, names->of,
+                 text_suggest(name, names->name_at, names->list).text);
 }
 
 static bool is_word(const Reader *reader, const char *word)

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,7 +52,7 @@ Scene *scene_load(const char *path, Error *error)
     if (!text)
         return NULL;
     const char *slash = strrchr(path, '/');
-    char folder[LONGEST_PATH];
+    char folder[PATH_MAX];
     snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 0, path);
     Scene *scene = scene_load_text(text, size, path, folder, error);
     free(text);

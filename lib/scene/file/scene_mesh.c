@@ -4,6 +4,7 @@
 #include "scene/file/obj.h"
 #include "base/text.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -113,7 +114,7 @@ bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t materia
     if (!builder->folder)
         return scene_fault(entry, "file", "meshes are not read here");
     const char *file = scene_word(entry, "file");
-    char path[LONGEST_PATH + 1024];
+    char path[PATH_MAX + 1024];
     snprintf(path, sizeof path, "%s%s", file[0] == '/' ? "" : builder->folder, file);
     Error unread = {""};
     size_t size = 0;

@@ -3,21 +3,14 @@
 #include "base/array.h"
 #include "base/text.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-// Names for "did you mean": each once, though several types have a row of that name.
 static const char *key_name(const void *section, size_t i)
 {
-    const SceneKey *key, *other;
-    for (size_t k = 0; (key = scene_key_at(section, k)); k++) {
-        size_t first = 0;
-        while ((other = scene_key_at(section, first)) && strcmp(other->name, key->name) != 0)
-            first++;
-        if (first == k && i-- == 0)
-            return key->name;
-    }
-    return NULL;
+    const SceneKey *key = scene_key_at(section, i);
+    return key ? key->name : NULL;
 }
 
 static const char *section_name(const void *unused, size_t i)
@@ -40,11 +33,12 @@ static bool next_key(SceneWalk *walk, const char **key)
     return true;
 }
 
-static bool unknown_fault(const SceneWalk *walk, const char *key, TextNameAt name_at)
+// The number of the key at hand among those that may stand here. False, with the fault told, when it is none of them.
+static bool find_key(const SceneWalk *walk, const char *key, TextNameAt name_at, const void *section, size_t *number)
 {
-    char suggestion[300];
-    text_suggest(suggestion, sizeof suggestion, key, name_at, walk->section);
-    return scene_fault_at(walk->file, walk_place(walk), "unknown key '%.50s'; %s", key, suggestion);
+    return text_find_name(key, name_at, section, number) ||
+           scene_fault_at(walk->file, walk_place(walk), "unknown key '%.50s'; %s", key,
+                          text_suggest(key, name_at, section).text);
 }
 
 static bool twice_fault(const SceneWalk *walk, const char *key)
@@ -52,45 +46,28 @@ static bool twice_fault(const SceneWalk *walk, const char *key)
     return scene_fault_at(walk->file, walk_place(walk), "the key '%s' stands here twice; expected it once", key);
 }
 
-static bool memory_fault(const SceneWalk *walk)
+// A key of the last entry, and its value.
+static bool read_pair(SceneWalk *walk, const SceneSection *section, const char *of, SceneEntry *entry, const char *key)
 {
-    return error_set(walk->file->error, "%s: not enough memory", walk->file->name);
-}
-
-// A key of the entry at hand, and its value.
-static bool read_pair(SceneWalk *walk, SceneEntry *entry, const char *key)
-{
-    SceneFile *file = walk->file;
-    const SceneKey *row;
-    for (size_t i = 0; (row = scene_key_at(walk->section, i)); i++)
-        if (strcmp(row->name, key) == 0)
-            break;
-    if (!row)
-        return unknown_fault(walk, key, key_name);
-    if (scene_value(entry, row->name))
-        return twice_fault(walk, key);
-    SceneValue *value = array_reserve(file->values, file->value_count, &file->value_capacity, sizeof *value);
-    if (!value)
-        return memory_fault(walk);
-    file->values = value;
-    value += file->value_count++;
-    entry->value_count++;
-    *value = (SceneValue){.key = row};
-    if (!walk_next(walk))
+    size_t number;
+    char path[WALK_PATH];
+    if (!find_key(walk, key, key_name, section, &number))
         return false;
-    value->place = walk_place(walk);
-    walk->key = row->name;
-    bool fine = walk_read_value(walk, value);
-    walk->key = NULL;
-    return fine;
+    if (scene_value(entry, key))
+        return twice_fault(walk, key);
+    SceneValue *value = scene_add_value(walk->file, entry, scene_key_at(section, number));
+    if (!value || !walk_next(walk))
+        return false;
+    value->given = true;
+    snprintf(path, sizeof path, "%s.%s", of, value->key->name);
+    return walk_read_value(walk, section, path, value);
 }
 
-static SceneEntry *add_entry(const SceneWalk *walk, int section, ScenePlace place)
+static SceneEntry *add_entry(SceneFile *file, int section, ScenePlace place)
 {
-    SceneFile *file = walk->file;
     SceneEntry *entry = array_reserve(file->entries, file->entry_count, &file->entry_capacity, sizeof *entry);
     if (!entry) {
-        memory_fault(walk);
+        scene_out_of_memory(file);
         return NULL;
     }
     file->entries = entry;
@@ -105,88 +82,77 @@ static SceneEntry *add_entry(const SceneWalk *walk, int section, ScenePlace plac
     return entry;
 }
 
-static bool read_entry(SceneWalk *walk, int section)
+static bool read_entry(SceneWalk *walk, int section, const char *path)
 {
-    SceneEntry *entry = add_entry(walk, section, walk_place(walk));
+    SceneEntry *entry = add_entry(walk->file, section, walk_place(walk));
     if (!entry)
         return false;
     if (walk->event.type != YAML_MAPPING_START_EVENT)
-        return walk_kind_fault(walk, "keys with values (key: value)");
+        return walk_kind_fault(walk, path, "keys with values (key: value)");
     const char *key = NULL;
     bool fine = true;
     while (fine && (fine = next_key(walk, &key)) && key)
-        fine = read_pair(walk, entry, key);
-    return fine && scene_check_entry(walk->section, walk_path(walk).text, entry);
+        fine = read_pair(walk, scene_sections[section], path, entry, key);
+    return fine && scene_complete(walk->file, entry, path);
 }
 
-static bool read_list(SceneWalk *walk, int section, size_t *count)
+static bool read_list(SceneWalk *walk, int number, size_t *count)
 {
+    const SceneSection *section = scene_sections[number];
     if (walk->event.type != YAML_SEQUENCE_START_EVENT)
-        return walk_kind_fault(walk, "a list (one entry per '- ')");
+        return walk_kind_fault(walk, section->name, "a list (one entry per '- ')");
     for (; walk_next(walk); ++*count) {
-        walk->index = -1;
+        char path[WALK_PATH];
         if (walk->event.type == YAML_SEQUENCE_END_EVENT)
             return true;
-        if (*count == walk->section->most)
+        if (*count == section->most)
             return scene_fault_at(walk->file, walk_place(walk), "%s has too many entries; expected at most %zu",
-                                  walk->section->name, walk->section->most);
-        walk->index = (int)*count;
-        if (!read_entry(walk, section))
+                                  section->name, section->most);
+        snprintf(path, sizeof path, "%s[%zu]", section->name, *count);
+        if (!read_entry(walk, number, path))
             return false;
     }
     return false;
 }
 
 // A section without entries: a fault, or an entry of what holds otherwise.
-static bool leave_out(const SceneWalk *walk, int number, ScenePlace place)
+static bool leave_out(SceneFile *file, int number, ScenePlace place)
 {
     const SceneSection *section = scene_sections[number];
     if (section->most)
         return !section->required ||
-               scene_fault_at(walk->file, place, "the scene has no %s; expected at least one under '%s:'",
-                              section->name, section->name);
+               scene_fault_at(file, place, "the scene has no %s; expected at least one under '%s:'", section->name,
+                              section->name);
     if (section->required)
-        return scene_fault_at(walk->file, place, "the scene has no '%s'; expected this key", section->name);
-    SceneEntry *entry = add_entry(walk, number, place);
-    return entry && scene_check_entry(section, section->name, entry);
-}
-
-static int find_section(const char *name)
-{
-    int i = 0;
-    while (i < SCENE_SECTIONS && strcmp(scene_sections[i]->name, name) != 0)
-        i++;
-    return i;
+        return scene_fault_at(file, place, "the scene has no '%s'; expected this key", section->name);
+    SceneEntry *entry = add_entry(file, number, place);
+    return entry && scene_complete(file, entry, section->name);
 }
 
 static bool read_sections(SceneWalk *walk)
 {
     ScenePlace start = walk_place(walk), places[SCENE_SECTIONS] = {{0, 0}};
-    size_t counts[SCENE_SECTIONS] = {0};
+    size_t counts[SCENE_SECTIONS] = {0}, i;
     const char *key = NULL;
     if (walk->event.type != YAML_MAPPING_START_EVENT)
-        return walk_kind_fault(walk, "keys with values (key: value)");
-    for (;;) {
-        if (!next_key(walk, &key))
+        return walk_kind_fault(walk, "the scene", "keys with values (key: value)");
+    while (next_key(walk, &key) && key) {
+        if (!find_key(walk, key, section_name, NULL, &i))
             return false;
-        if (!key)
-            break;
-        int i = find_section(key);
-        if (i == SCENE_SECTIONS)
-            return unknown_fault(walk, key, section_name);
         if (places[i].line)
             return twice_fault(walk, key);
         if (!walk_next(walk))
             return false;
         places[i] = walk_place(walk);
-        walk->section = scene_sections[i];
-        if (!(walk->section->most ? read_list(walk, i, &counts[i]) : read_entry(walk, i)))
+        bool list = scene_sections[i]->most;
+        if (!(list ? read_list(walk, (int)i, &counts[i]) : read_entry(walk, (int)i, scene_sections[i]->name)))
             return false;
-        counts[i] += !walk->section->most;
-        walk->section = NULL;
+        counts[i] += !list;
     }
-    for (int i = 0; i < SCENE_SECTIONS; i++)
-        if (!counts[i] && !leave_out(walk, i, places[i].line ? places[i] : start))
+    if (walk->event.type != YAML_MAPPING_END_EVENT)
+        return false;
+    for (i = 0; i < SCENE_SECTIONS; i++)
+        if (!counts[i] && !leave_out(walk->file, (int)i, places[i].line ? places[i] : start))
             return false;
     return true;
 }
@@ -206,9 +172,9 @@ static bool read_text(SceneWalk *walk)
 
 bool scene_read(const char *text, size_t size, SceneFile *file)
 {
-    SceneWalk walk = {.text = text, .size = size, .file = file, .index = -1, .part = -1};
+    SceneWalk walk = {.text = text, .size = size, .file = file};
     if (!yaml_parser_initialize(&walk.parser))
-        return memory_fault(&walk);
+        return scene_out_of_memory(file);
     yaml_parser_set_input_string(&walk.parser, (const unsigned char *)text, size);
     bool fine = read_text(&walk);
     yaml_event_delete(&walk.event);

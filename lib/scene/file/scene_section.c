@@ -1,7 +1,9 @@
 #include "scene/file/scene_section.h"
 
+#include "base/array.h"
 #include "base/text.h"
 
+#include <stdio.h>
 #include <string.h>
 
 const SceneSection *const scene_sections[SCENE_SECTIONS] = {&camera_section, &render_section, &material_section,
@@ -18,47 +20,49 @@ const SceneKey *scene_key_at(const SceneSection *section, size_t i)
     return NULL;
 }
 
-static bool in_range(const SceneRange *range, double value)
+SceneValue *scene_add_value(SceneFile *file, SceneEntry *entry, const SceneKey *key)
 {
-    return range->open ? value > range->low && value < range->high : value >= range->low && value <= range->high;
+    SceneValue *value = array_reserve(file->values, file->value_count, &file->value_capacity, sizeof *value);
+    if (!value) {
+        scene_out_of_memory(file);
+        return NULL;
+    }
+    file->values = value;
+    value += file->value_count++;
+    entry->value_count++;
+    *value = (SceneValue){.key = key, .place = entry->place};
+    return value;
 }
 
-static bool check_numbers(const SceneEntry *entry, const SceneValue *value, int count)
+// The row of a key; NULL: its type has none.
+static const SceneKey *row_of(const SceneEntry *entry, const char *name)
+{
+    const SceneKey *const tables[] = {entry->common, entry->type->keys};
+    for (int t = 0; t < 2; t++)
+        for (const SceneKey *row = tables[t]; row->name; row++)
+            if (strcmp(row->name, name) == 0)
+                return row;
+    return NULL;
+}
+
+static bool check_range(const SceneEntry *entry, const char *path, const SceneValue *value)
 {
     const SceneKey *key = value->key;
-    const char *unit = key->range.unit;
-    for (int i = 0; i < count; i++) {
-        if (in_range(&key->range, value->number[i]))
+    const SceneRange *range = &key->range;
+    if (value->word && (double)strlen(value->word) > range->high)
+        return scene_fault_at(entry->file, value->place, "%s.%s is %zu characters long; expected at most %.0f", path,
+                              key->name, strlen(value->word), range->high);
+    for (int i = 0; i < value->count; i++) {
+        double number = value->number[i];
+        if (range->open ? number > range->low && number < range->high : number >= range->low && number <= range->high)
             continue;
-        char expected[100] = "";
-        if (key->range.expected)
-            text_append(expected, sizeof expected, "%s", key->range.expected);
-        else
-            text_append(expected, sizeof expected, "%.10g to %.10g%s%s", key->range.low, key->range.high,
-                        unit ? " " : "", unit ? unit : "");
-        return scene_fault_at(entry->file, count == 3 ? value->part[i] : value->place, "%s is %.*g; expected %s",
-                              key->name, key->kind == KEY_WHOLE ? 10 : 6, value->number[i], expected);
+        char expected[100];
+        snprintf(expected, sizeof expected, "%.10g to %.10g%s%s", range->low, range->high, range->unit ? " " : "",
+                 range->unit ? range->unit : "");
+        return scene_fault_at(entry->file, value->part[i], "%s is %.*g; expected %s", key->name,
+                              key->kind == KEY_WHOLE ? 10 : 6, number, range->expected ? range->expected : expected);
     }
     return true;
-}
-
-static bool check_value(const SceneEntry *entry, const char *path, const SceneValue *value)
-{
-    switch (value->key->kind) {
-    case KEY_NUMBER:
-    case KEY_WHOLE:
-        return check_numbers(entry, value, 1);
-    case KEY_THREE:
-    case KEY_COLOUR:
-        return check_numbers(entry, value, 3);
-    case KEY_WORD:
-        return (double)strlen(value->word) <= value->key->range.high ||
-               scene_fault_at(entry->file, value->place, "%s.%s is %zu characters long; expected at most %.0f", path,
-                              value->key->name, strlen(value->word), value->key->range.high);
-    case KEY_TYPE:
-        return true;
-    }
-    return false;
 }
 
 typedef struct {
@@ -89,22 +93,43 @@ static bool check_given(const SceneEntry *entry, const SceneKey *keys, const cha
     return true;
 }
 
-bool scene_check_entry(const SceneSection *section, const char *path, SceneEntry *entry)
+// Adds the values that hold for keys that were left out.
+static bool add_others(SceneFile *file, SceneEntry *entry, const SceneKey *keys)
+{
+    for (const SceneKey *key = keys; key->name; key++) {
+        if (scene_value(entry, key->name))
+            continue;
+        SceneValue *value = scene_add_value(file, entry, key);
+        if (!value)
+            return false;
+        const char *at = key->otherwise, *end = at + strlen(at);
+        if (key->kind == KEY_WORD && *at && !(value->word = strdup(at)))
+            return scene_out_of_memory(file);
+        for (int i = 0; i < 3; i++) {
+            at += strspn(at, "[, ");
+            text_number(&at, end, &value->number[i]);
+        }
+    }
+    return true;
+}
+
+bool scene_complete(SceneFile *file, SceneEntry *entry, const char *path)
 {
     if (!check_given(entry, entry->common, path))
         return false;
     const SceneValue *type = scene_value(entry, "type");
     entry->type_number = type ? (size_t)type->number[0] : 0;
-    entry->type = section->type_at(entry->type_number);
+    entry->type = scene_sections[entry->section]->type_at(entry->type_number);
     for (size_t i = 0; i < entry->value_count; i++) {
-        SceneValue *value = &entry->file->values[entry->first_value + i];
-        const SceneKey *row = scene_row(entry, value->key->name);
+        SceneValue *value = &file->values[entry->first_value + i];
+        const SceneKey *row = row_of(entry, value->key->name);
         if (!row)
             return scene_fault(entry, value->key->name, "a %s has no '%s'; its keys are: %s", entry->type->called,
                                value->key->name, list_keys(entry->type->keys, true).text);
         value->key = row;
-        if (!check_value(entry, path, value))
+        if (!check_range(entry, path, value))
             return false;
     }
-    return check_given(entry, entry->type->keys, path);
+    return check_given(entry, entry->type->keys, path) && add_others(file, entry, entry->common) &&
+           add_others(file, entry, entry->type->keys);
 }

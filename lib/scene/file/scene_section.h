@@ -7,8 +7,6 @@
 #include "scene/scene.h"
 #include "scene/scene_entry.h"
 
-#define LONGEST_PATH 4096 // of a file that the system opens
-
 // A scene half made.
 typedef struct {
     SceneFile file;
@@ -42,8 +40,11 @@ const SceneKey *scene_key_at(const SceneSection *section, size_t i);
 bool scene_read(const char *text, size_t size, SceneFile *file);
 void scene_file_free(SceneFile *file);
 
-// The second half of reading an entry, when all its values are there: finds its type, and holds the values against its
-// rows. `path` names the entry in messages.
-bool scene_check_entry(const SceneSection *section, const char *path, SceneEntry *entry);
+// A value behind those of the last entry; NULL when memory is short.
+SceneValue *scene_add_value(SceneFile *file, SceneEntry *entry, const SceneKey *key);
+
+// The second half of reading the last entry, when all values that the file gives are there: finds its type, holds the
+// values against its rows, and adds what holds where one was left out. `path` names the entry in messages.
+bool scene_complete(SceneFile *file, SceneEntry *entry, const char *path);
 
 #endif

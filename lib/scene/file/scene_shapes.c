@@ -152,11 +152,9 @@ static bool build(SceneBuilder *builder, SceneEntry *entry)
 {
     const char *name = scene_word(entry, "material");
     size_t material = NO_MATERIAL;
-    if (name && !text_find_name(name, scene_material_name, builder, &material)) {
-        char suggestion[400];
-        text_suggest(suggestion, sizeof suggestion, name, scene_material_name, builder);
-        return scene_fault(entry, "material", "there is no material '%s'; %s", name, suggestion);
-    }
+    if (name && !text_find_name(name, scene_material_name, builder, &material))
+        return scene_fault(entry, "material", "there is no material '%s'; %s", name,
+                           text_suggest(name, scene_material_name, builder).text);
     return kinds[entry->type_number].build(builder, entry, (uint32_t)material);
 }
 

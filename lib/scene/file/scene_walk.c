@@ -16,19 +16,6 @@ ScenePlace walk_place(const SceneWalk *walk)
     return place_of(walk->event.start_mark);
 }
 
-WalkPath walk_path(const SceneWalk *walk)
-{
-    WalkPath path = {""};
-    text_append(path.text, sizeof path.text, "%s", walk->section ? walk->section->name : "the scene");
-    if (walk->index >= 0)
-        text_append(path.text, sizeof path.text, "[%d]", walk->index);
-    if (walk->key)
-        text_append(path.text, sizeof path.text, ".%s", walk->key);
-    if (walk->part >= 0)
-        text_append(path.text, sizeof path.text, "[%d]", walk->part);
-    return path;
-}
-
 // Where libyaml's reader stopped is known as a number of bytes only.
 static ScenePlace place_of_offset(const SceneWalk *walk, size_t offset)
 {
@@ -60,7 +47,7 @@ bool walk_next(SceneWalk *walk)
     return yaml_parser_parse(&walk->parser, &walk->event) || syntax_fault(walk);
 }
 
-bool walk_kind_fault(const SceneWalk *walk, const char *expected)
+bool walk_kind_fault(const SceneWalk *walk, const char *path, const char *expected)
 {
     const yaml_event_t *event = &walk->event;
     char found[64] = "a list";
@@ -73,67 +60,67 @@ bool walk_kind_fault(const SceneWalk *walk, const char *expected)
         snprintf(found, sizeof found, "nothing");
     else if (event->type == YAML_SCALAR_EVENT)
         snprintf(found, sizeof found, "'%.50s'", (const char *)event->data.scalar.value);
-    return scene_fault_at(walk->file, walk_place(walk), "%s is %s; expected %s", walk_path(walk).text, found, expected);
+    return scene_fault_at(walk->file, walk_place(walk), "%s is %s; expected %s", path, found, expected);
 }
 
 // The scalar at hand; NULL, with the fault told, when something else stands there.
-static const char *scalar(const SceneWalk *walk, const char *expected)
+static const char *scalar(const SceneWalk *walk, const char *path, const char *expected)
 {
     if (walk->event.type == YAML_SCALAR_EVENT)
         return (const char *)walk->event.data.scalar.value;
-    walk_kind_fault(walk, expected);
+    walk_kind_fault(walk, path, expected);
     return NULL;
 }
 
-static bool read_number(const SceneWalk *walk, bool whole, double *number)
+static bool read_number(const SceneWalk *walk, const char *path, bool whole, double *number)
 {
     const char *expected = whole ? "a whole number such as 100000" : "a number";
-    const char *word = scalar(walk, expected), *at = word;
+    const char *word = scalar(walk, path, expected), *at = word;
     if (!word)
         return false;
     const char *end = word + walk->event.data.scalar.length;
     // YAML would read a number with a leading 0 by base eight.
     bool octal = word[strspn(word, "+-")] == '0' && end - word > 1;
     if (!text_number(&at, end, number) || at != end || (whole && (octal || word[strspn(word, "+-0123456789")])))
-        return walk_kind_fault(walk, expected);
+        return walk_kind_fault(walk, path, expected);
     if (fabs(*number) > SCENE_LARGEST_NUMBER)
-        return scene_fault_at(walk->file, walk_place(walk), "%s is %.40s; expected a number between -1e9 and 1e9",
-                              walk_path(walk).text, word);
+        return scene_fault_at(walk->file, walk_place(walk), "%s is %.40s; expected a number between -1e9 and 1e9", path,
+                              word);
     *number = whole ? *number : (double)(float)*number;
     return true;
 }
 
-static bool read_three(SceneWalk *walk, SceneValue *value)
+static bool read_three(SceneWalk *walk, const char *path, SceneValue *value)
 {
-    if (walk->event.type != YAML_SEQUENCE_START_EVENT)
-        return walk_kind_fault(walk, "3 numbers in brackets");
     int count = 0;
+    if (walk->event.type != YAML_SEQUENCE_START_EVENT)
+        return walk_kind_fault(walk, path, "3 numbers in brackets");
     for (; walk_next(walk) && walk->event.type != YAML_SEQUENCE_END_EVENT; count++) {
+        char part[WALK_PATH];
         double number;
-        walk->part = count;
-        if (!read_number(walk, false, &number))
+        snprintf(part, sizeof part, "%s[%d]", path, count);
+        if (!read_number(walk, part, false, &number))
             return false;
         if (count < 3) {
             value->number[count] = number;
             value->part[count] = walk_place(walk);
         }
     }
-    walk->part = -1;
     if (walk->event.type != YAML_SEQUENCE_END_EVENT)
         return false;
-    return count == 3 || scene_fault_at(walk->file, value->place, "%s has %d number%s; expected 3",
-                                        walk_path(walk).text, count, count == 1 ? "" : "s");
+    return count == 3 || scene_fault_at(walk->file, value->place, "%s has %d number%s; expected 3", path, count,
+                                        count == 1 ? "" : "s");
 }
 
-static bool read_word(const SceneWalk *walk, SceneValue *value)
+static bool read_word(const SceneWalk *walk, const char *path, SceneValue *value)
 {
-    const char *word = scalar(walk, "a word");
+    const char *word = scalar(walk, path, "a word");
     if (!word)
         return false;
     if (!word[0] || strlen(word) != walk->event.data.scalar.length)
-        return walk_kind_fault(walk, "a word");
+        return walk_kind_fault(walk, path, "a word");
     value->word = strdup(word);
-    return value->word || error_set(walk->file->error, "%s: not enough memory", walk->file->name);
+    return value->word || scene_out_of_memory(walk->file);
 }
 
 static const char *type_name(const void *section, size_t i)
@@ -142,35 +129,35 @@ static const char *type_name(const void *section, size_t i)
     return type ? type->name : NULL;
 }
 
-static bool read_type(const SceneWalk *walk, SceneValue *value)
+static bool read_type(const SceneWalk *walk, const SceneSection *section, const char *path, SceneValue *value)
 {
-    const char *word = scalar(walk, "a word"), *name;
+    size_t number;
+    const char *word = scalar(walk, path, "a word");
     if (!word)
         return false;
-    for (size_t i = 0; (name = type_name(walk->section, i)); i++) {
-        value->number[0] = (double)i;
-        if (strcmp(name, word) == 0)
-            return true;
-    }
-    char suggestion[300];
-    text_suggest(suggestion, sizeof suggestion, word, type_name, walk->section);
-    return scene_fault_at(walk->file, walk_place(walk), "%s is '%.50s'; %s", walk_path(walk).text, word, suggestion);
+    if (!text_find_name(word, type_name, section, &number))
+        return scene_fault_at(walk->file, walk_place(walk), "%s is '%.50s'; %s", path, word,
+                              text_suggest(word, type_name, section).text);
+    value->number[0] = (double)number;
+    return true;
 }
 
-bool walk_read_value(SceneWalk *walk, SceneValue *value)
+bool walk_read_value(SceneWalk *walk, const SceneSection *section, const char *path, SceneValue *value)
 {
+    value->place = value->part[0] = walk_place(walk);
     switch (value->key->kind) {
     case KEY_NUMBER:
-        return read_number(walk, false, value->number);
     case KEY_WHOLE:
-        return read_number(walk, true, value->number);
+        value->count = 1;
+        return read_number(walk, path, value->key->kind == KEY_WHOLE, value->number);
     case KEY_THREE:
     case KEY_COLOUR:
-        return read_three(walk, value);
+        value->count = 3;
+        return read_three(walk, path, value);
     case KEY_WORD:
-        return read_word(walk, value);
+        return read_word(walk, path, value);
     case KEY_TYPE:
-        return read_type(walk, value);
+        return read_type(walk, section, path, value);
     }
     return false;
 }

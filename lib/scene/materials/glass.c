@@ -23,11 +23,9 @@ static const char *glass_name(const void *unused, size_t i)
 static bool catalogue_indices(const SceneEntry *entry, const char *name, float index[3])
 {
     const SellmeierGlass *glass = glass_find(name);
-    if (!glass) {
-        char suggestion[400];
-        text_suggest(suggestion, sizeof suggestion, name, glass_name, NULL);
-        return scene_fault(entry, "glass", "there is no glass '%s'; %s", name, suggestion);
-    }
+    if (!glass)
+        return scene_fault(entry, "glass", "there is no glass '%s'; %s", name,
+                           text_suggest(name, glass_name, NULL).text);
     for (int c = 0; c < 3; c++)
         index[c] = (float)glass_index(glass, wavelengths[c]);
     return true;
