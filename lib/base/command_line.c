@@ -1,4 +1,5 @@
 #include "base/command_line.h"
+#include "base/text.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -42,6 +43,22 @@ static bool parse_seed(const char *text, uint64_t *value)
     return end != text && !*end && errno == 0 && !strchr(text, '-');
 }
 
+static bool parse_size(const Flag *flag, const char *text, int size[2])
+{
+    char after;
+    return sscanf(text, "%dx%d%c", &size[0], &size[1], &after) == 2 && size[0] >= flag->low && size[0] <= flag->high &&
+           size[1] >= flag->low && size[1] <= flag->high;
+}
+
+static bool parse_choice(const char *text, Choice *choice)
+{
+    int i = 0;
+    while (choice->names[i] && strcmp(text, choice->names[i]) != 0)
+        i++;
+    choice->chosen = i;
+    return choice->names[i];
+}
+
 static bool take_flag(const Flag *flag, const char *text)
 {
     long whole;
@@ -64,6 +81,10 @@ static bool take_flag(const Flag *flag, const char *text)
         return parse_float(flag, text, flag->value);
     case FLAG_SEED:
         return parse_seed(text, flag->value);
+    case FLAG_SIZE:
+        return parse_size(flag, text, flag->value);
+    case FLAG_CHOICE:
+        return parse_choice(text, flag->value);
     case FLAG_ON:
         *(double *)flag->value = 1.0;
         return true;
@@ -83,6 +104,15 @@ static bool take_flag(const Flag *flag, const char *text)
 
 static int refuse_flag(const char *command, const Flag *flag, const char *text)
 {
+    if (flag->kind == FLAG_CHOICE) {
+        char names[400] = "";
+        for (const char *const *name = ((Choice *)flag->value)->names; *name; name++)
+            text_append(names, sizeof names, "%s%s", !names[0] ? "" : name[1] ? ", " : " or ", *name);
+        return report_usage(command, "--%s %s: expected %s", flag->name, text, names);
+    }
+    if (flag->kind == FLAG_SIZE)
+        return report_usage(command, "--%s %s: expected WIDTHxHEIGHT, each from %.10g to %.10g, e.g. 640x480",
+                            flag->name, text, flag->low, flag->high);
     if (flag->kind == FLAG_SEED)
         return report_usage(command, "--%s %s: expected a whole number from 0 to 18446744073709551615", flag->name,
                             text);

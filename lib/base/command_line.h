@@ -13,11 +13,17 @@ typedef enum {
     FLAG_INT,
     FLAG_LONG,
     FLAG_FLOAT,
-    FLAG_SEED,  // uint64_t
-    FLAG_ON,    // a double of the preview's settings: 1
-    FLAG_WHOLE, // such a double: a whole number
-    FLAG_NUMBER // such a double: any number
+    FLAG_SEED,   // uint64_t
+    FLAG_SIZE,   // int[2]: WIDTHxHEIGHT
+    FLAG_CHOICE, // Choice
+    FLAG_ON,     // a double of the preview's settings: 1
+    FLAG_WHOLE,  // such a double: a whole number
+    FLAG_NUMBER  // such a double: any number
 } FlagKind;
+typedef struct {
+    const char *const *names; // one of them is expected; they end with NULL
+    int chosen;
+} Choice;
 typedef struct {
     const char *name; // "photons" for --photons; "o" for -o
     FlagKind kind;

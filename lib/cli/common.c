@@ -90,24 +90,13 @@ void report_oddities(const Ledger *ledger, long paths, const UnsoundPaths *unsou
     fputs(text, stderr);
 }
 
-static void print_channels(const char *name, const double value[3])
-{
-    printf("\"%s\":[%.9g,%.9g,%.9g]", name, value[0], value[1], value[2]);
-}
-
 void print_ledger_json(const Ledger *ledger)
 {
-    printf("\"ledger\":{");
-    print_channels("emitted", ledger->emitted);
-    printf(",");
-    print_channels("absorbed", ledger->absorbed);
-    printf(",");
-    print_channels("escaped", ledger->escaped);
-    printf(",");
-    print_channels("cut", ledger->cut);
-    printf(",");
-    print_channels("chance", ledger->chance);
-    printf(",");
-    print_channels("chance_error", ledger->chance_error);
+    static const char *const NAMES[] = {"emitted", "absorbed", "escaped", "cut", "chance", "chance_error"};
+    const double *const values[] = {ledger->emitted, ledger->absorbed, ledger->escaped,
+                                    ledger->cut,     ledger->chance,   ledger->chance_error};
+    for (int i = 0; i < 6; i++)
+        printf("%s\"%s\":[%.9g,%.9g,%.9g]", i == 0 ? "\"ledger\":{" : ",", NAMES[i], values[i][0], values[i][1],
+               values[i][2]);
     printf("}");
 }

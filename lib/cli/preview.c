@@ -56,7 +56,9 @@ static const char help_end[] =
 #define PREVIEW_PATHS   1000
 
 typedef struct {
-    const char *scene, *view, *colour, *camera, *framing, *size, *steps, *context, *photons_file, *reference_file;
+    const char *scene, *camera, *framing, *steps, *photons_file, *reference_file;
+    Choice view, colour, context;
+    int size[2];
     bool frame, no_wireframe, split;
     float flight;
     double settings[VIEW_COUNT][MOST_SETTINGS];
@@ -69,7 +71,7 @@ static void list_flags(char *text, size_t size)
     const char *flag = "  --view NAME";
     snprintf(text, size, "%s", help_begin);
     for (int i = 0; i < VIEW_COUNT; i++) {
-        const char *name = view_types[i]->name;
+        const char *name = view_names[i];
         for (const char *line = view_types[i]->help; *line; line += strcspn(line, "\n") + 1) {
             text_append(text, size, "%-23s%-8s %.*s\n", flag, name, (int)strcspn(line, "\n"), line);
             flag = name = "";
@@ -93,31 +95,17 @@ static int add_settings(Arguments *a, Flag *flags, int count)
     return count;
 }
 
-static bool parse_names(Arguments *a)
+// What no flag alone can tell.
+static bool check(Arguments *a)
 {
     PreviewOptions *options = &a->options;
     Error error = {""};
-    ViewKind kind;
-    ColourMode mode;
-    char after, names[400];
-    view_kind_names(names, sizeof names);
-    if (a->view && !view_kind_parse(a->view, &kind))
-        error_set(&error, "--view %s: expected %s", a->view, names);
-    if (a->colour && !colour_mode_parse(a->colour, &mode))
-        error_set(&error, "--colour %s: expected power, photon, bounce or material", a->colour);
-    if (a->size && (sscanf(a->size, "%dx%d%c", &options->width, &options->height, &after) != 2 || options->width < 64 ||
-                    options->width > MOST_SIDE || options->height < 64 || options->height > MOST_SIDE))
-        error_set(&error, "--size %s: expected WIDTHxHEIGHT, each from 64 to %d, e.g. 1280x720", a->size, MOST_SIDE);
+    options->width = a->size[0];
+    options->height = a->size[1];
+    options->in_window = a->context.chosen == CONTEXT_EGL;
+    options->context = options->in_window ? CONTEXT_ANY : (ContextKind)(a->context.chosen + 1);
     if (a->steps)
         options->play_is_given = step_choice_parse(a->steps, &options->play, &error);
-    if (a->context && strcmp(a->context, "osmesa") == 0)
-        options->context = CONTEXT_OSMESA;
-    else if (a->context && strcmp(a->context, "egl") == 0)
-        options->context = CONTEXT_EGL;
-    else if (a->context && strcmp(a->context, "window") == 0)
-        options->in_window = true;
-    else if (a->context)
-        error_set(&error, "--context %s: expected osmesa, egl or window", a->context);
     if (options->snapshot)
         image_path_is_known(options->snapshot, &error);
     if (options->every_save && (!options->snapshot || !options->source))
@@ -136,21 +124,25 @@ static bool parse_names(Arguments *a)
 // 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
-    *a = (Arguments){.flight = -1};
-    a->options = (PreviewOptions){
-        .width = 1280, .height = 720, .photons = PREVIEW_PHOTONS, .recorded = PREVIEW_PATHS, .seed = 1};
+    static const char *const CONTEXTS[] = {"osmesa", "egl", "window", NULL};
+    *a = (Arguments){.view = {view_names, 0},
+                     .colour = {colour_names, 0},
+                     .context = {CONTEXTS, -1},
+                     .size = {1280, 720},
+                     .flight = -1};
+    a->options = (PreviewOptions){.photons = PREVIEW_PHOTONS, .recorded = PREVIEW_PATHS, .seed = 1};
     PreviewOptions *o = &a->options;
     Flag flags[MOST_FLAGS] = {
         {"snapshot", FLAG_TEXT, &o->snapshot, 0, 0},
         {"every-save", FLAG_PRESENT, &o->every_save, 0, 0},
-        {"view", FLAG_TEXT, &a->view, 0, 0},
-        {"colour", FLAG_TEXT, &a->colour, 0, 0},
+        {"view", FLAG_CHOICE, &a->view, 0, 0},
+        {"colour", FLAG_CHOICE, &a->colour, 0, 0},
         {"split", FLAG_PRESENT, &a->split, 0, 0},
         {"camera", FLAG_TEXT, &a->camera, 0, 0},
         {"framing", FLAG_TEXT, &a->framing, 0, 0},
         {"frame", FLAG_PRESENT, &a->frame, 0, 0},
         {"flight", FLAG_FLOAT, &a->flight, 0, 1e30},
-        {"size", FLAG_TEXT, &a->size, 0, 0},
+        {"size", FLAG_SIZE, a->size, 64, MOST_SIDE},
         {"photons", FLAG_LONG, &o->photons, 1, 100000000},
         {"paths", FLAG_LONG, &o->recorded, 0, 1000000},
         {"depth", FLAG_INT, &o->depth, 1, MOST_DEPTH},
@@ -158,7 +150,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"steps", FLAG_TEXT, &a->steps, 0, 0},
         {"bare", FLAG_PRESENT, &o->bare, 0, 0},
         {"no-wireframe", FLAG_PRESENT, &a->no_wireframe, 0, 0},
-        {"context", FLAG_TEXT, &a->context, 0, 0},
+        {"context", FLAG_CHOICE, &a->context, 0, 0},
         {"code", FLAG_TEXT, &o->code, 0, 0},
         {"photons-file", FLAG_TEXT, &a->photons_file, 0, 0},
         {"reference-file", FLAG_TEXT, &a->reference_file, 0, 0},
@@ -175,17 +167,15 @@ static int parse(int count, char **arguments, Arguments *a)
     list_flags(help, sizeof help);
     int wrong = command_line_parse(&(CommandLine){"photonlab preview", help, "one scene file", flags, flag_count, 1, 1},
                                    count, arguments, &a->scene);
-    return wrong ? wrong : parse_names(a) ? 0 : EXIT_USAGE;
+    return wrong ? wrong : check(a) ? 0 : EXIT_USAGE;
 }
 
 // What the flags say about the view, over what the scene suggests.
 static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *error)
 {
     *view = view_default(scene);
-    if (a->view)
-        view_kind_parse(a->view, &view->kind);
-    if (a->colour)
-        colour_mode_parse(a->colour, &view->colour);
+    view->kind = (ViewKind)a->view.chosen;
+    view->colour = (ColourMode)a->colour.chosen;
     view->split = a->split || a->reference_file;
     view->wireframe = !a->no_wireframe;
     view->flight = (double)a->flight;

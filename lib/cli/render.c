@@ -1,7 +1,6 @@
 #include "cli/cli.h"
 
 #include <stdio.h>
-#include <string.h>
 
 static const char help[] =
     "usage: photonlab render SCENE -o OUT.png|OUT.pfm [flags]\n"
@@ -30,50 +29,32 @@ static const char help[] =
     "  --json               one line of JSON on standard output: counts, rays, seconds, the energy ledger\n";
 
 typedef struct {
-    const char *scene, *out, *code, *size, *integrator, *steps;
+    const char *scene, *out, *code, *steps;
+    int size[2];
+    Choice integrator;
     RenderSettings settings; // 0 or −1: no flag, so the scene's own value counts
     int bits;
     bool quiet, json;
     RenderOptions options;
 } Arguments;
 
-static bool parse_integrator(const char *name, Integrator *integrator)
-{
-    static const char *const names[] = {"photons", "photons-only", "path"};
-    for (int i = 0; i < 3; i++)
-        if (strcmp(name, names[i]) == 0) {
-            *integrator = (Integrator)i;
-            return true;
-        }
-    report_usage("photonlab render", "--integrator %s: expected photons, photons-only or path", name);
-    return false;
-}
-
-static bool parse_size(const char *text, int *width, int *height)
-{
-    char after;
-    if (sscanf(text, "%dx%d%c", width, height, &after) == 2 && *width >= 1 && *width <= MOST_SIDE && *height >= 1 &&
-        *height <= MOST_SIDE)
-        return true;
-    report_usage("photonlab render", "--size %s: expected WIDTHxHEIGHT, each from 1 to %d, e.g. 512x512", text,
-                 MOST_SIDE);
-    return false;
-}
-
 // 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
-    *a = (Arguments){
-        .bits = 8, .settings = {.radius = -1.0f}, .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
+    static const char *const INTEGRATORS[] = {"photons", "photons-only", "path", NULL}; // as the enum has them
+    *a = (Arguments){.integrator = {INTEGRATORS, 0},
+                     .bits = 8,
+                     .settings = {.radius = -1.0f},
+                     .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
     const Flag flags[] = {
         {"o", FLAG_TEXT, &a->out, 0, 0},
         {"bits", FLAG_INT, &a->bits, 8, 16},
-        {"integrator", FLAG_TEXT, &a->integrator, 0, 0},
+        {"integrator", FLAG_CHOICE, &a->integrator, 0, 0},
         {"photons", FLAG_LONG, &a->settings.photons, 1, MOST_PHOTONS},
         {"k", FLAG_INT, &a->settings.k, 1, MOST_K},
         {"radius", FLAG_FLOAT, &a->settings.radius, 0, 1e30},
         {"samples", FLAG_INT, &a->settings.samples, 1, MOST_SAMPLES},
-        {"size", FLAG_TEXT, &a->size, 0, 0},
+        {"size", FLAG_SIZE, a->size, 1, MOST_SIDE},
         {"depth", FLAG_INT, &a->settings.depth, 1, MOST_DEPTH},
         {"seed", FLAG_SEED, &a->options.seed, 0, 0},
         {"threads", FLAG_INT, &a->options.threads, 0, MOST_THREADS},
@@ -93,14 +74,14 @@ static int parse(int count, char **arguments, Arguments *a)
         return report_usage("photonlab render", "--bits %d: expected 8 or 16", a->bits);
     if (!a->out)
         return report_usage("photonlab render", "say where to write the picture: -o OUT.png");
-    if (a->options.glass_sides == 1 && a->integrator && strcmp(a->integrator, "path") == 0)
+    a->options.integrator = (Integrator)a->integrator.chosen;
+    a->settings.width = a->size[0];
+    a->settings.height = a->size[1];
+    if (a->options.glass_sides == 1 && a->options.integrator == INTEGRATOR_PATH)
         return report_usage("photonlab render", "--glass-sides 1: the path tracer knows whole glass only");
     Error error = {""};
     if (!image_path_is_known(a->out, &error) || (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
         return report_usage("photonlab render", "%s", error.message);
-    if ((a->integrator && !parse_integrator(a->integrator, &a->options.integrator)) ||
-        (a->size && !parse_size(a->size, &a->settings.width, &a->settings.height)))
-        return EXIT_USAGE;
     return 0;
 }
 

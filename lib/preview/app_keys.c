@@ -158,7 +158,7 @@ static void list_views(char *text, size_t size)
         text_append(keys, sizeof keys, "%s%d", i == 0 ? "" : " ", i + 1);
     text_append(text, size, "%-10s  ", keys);
     for (int i = 0; i < VIEW_COUNT; i++)
-        text_append(text, size, "%s%s", i == 0 ? "" : ", ", view_types[i]->name);
+        text_append(text, size, "%s%s", i == 0 ? "" : ", ", view_names[i]);
 }
 
 static void list_choices(char *text, size_t size)
@@ -170,11 +170,11 @@ static void list_choices(char *text, size_t size)
                         ++count == 1 ? "arrows      "
                         : count % 2  ? "\n            "
                                      : ". ",
-                        view_types[i]->name, view_types[i]->arrows);
+                        view_names[i], view_types[i]->arrows);
     for (int i = 0; i < VIEW_COUNT; i++)
         for (int j = 0; j < MOST_SETTINGS; j++)
             if (view_types[i]->settings[j].key)
-                text_append(text, size, "\n%-12c%s: %s", view_types[i]->settings[j].key, view_types[i]->name,
+                text_append(text, size, "\n%-12c%s: %s", view_types[i]->settings[j].key, view_names[i],
                             view_types[i]->settings[j].words);
 }
 

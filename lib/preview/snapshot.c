@@ -54,7 +54,7 @@ void snapshot_command(const Session *session, char *text, size_t size)
                 session->photons, (unsigned long long)session->seed);
     text_append(text, size, " --camera %.5g,%.5g,%.5g,%.5g,%.5g,%.5g", (double)p.x, (double)p.y, (double)p.z,
                 (double)t.x, (double)t.y, (double)t.z);
-    text_append(text, size, " --view %s --colour %s", view_type(view)->name, colour_mode_name(view->colour));
+    text_append(text, size, " --view %s --colour %s", view_names[view->kind], colour_names[view->colour]);
     append_settings(view, text, size);
     if (view_type(view)->place != IN_THE_SCENE &&
         (framing->zoom != 1.0f || framing->right != 0.0f || framing->up != 0.0f))

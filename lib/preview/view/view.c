@@ -1,8 +1,5 @@
 // The list of views, and what drawing each of them begins and ends with.
 #include "preview/view/view_internal.h"
-#include "base/text.h"
-
-#include <string.h>
 
 #define VIEW(kind, name) extern const ViewType view_##name;
 #include "preview/view/views.def"
@@ -13,39 +10,13 @@ const ViewType *const view_types[VIEW_COUNT] = {
 };
 #undef VIEW
 
-static const char *const COLOURS[COLOUR_COUNT] = {"power", "photon", "bounce", "material"};
+const char *const view_names[VIEW_COUNT + 1] = {
+#define VIEW(kind, name) #name,
+#include "preview/view/views.def"
+#undef VIEW
+};
 
-bool view_kind_parse(const char *name, ViewKind *kind)
-{
-    for (int i = 0; i < VIEW_COUNT; i++)
-        if (strcmp(view_types[i]->name, name) == 0) {
-            *kind = (ViewKind)i;
-            return true;
-        }
-    return false;
-}
-
-void view_kind_names(char *text, size_t size)
-{
-    text[0] = '\0';
-    for (int i = 0; i < VIEW_COUNT; i++)
-        text_append(text, size, "%s%s", i == 0 ? "" : i + 1 < VIEW_COUNT ? ", " : " or ", view_types[i]->name);
-}
-
-bool colour_mode_parse(const char *name, ColourMode *colour)
-{
-    for (int i = 0; i < COLOUR_COUNT; i++)
-        if (strcmp(COLOURS[i], name) == 0) {
-            *colour = (ColourMode)i;
-            return true;
-        }
-    return false;
-}
-
-const char *colour_mode_name(ColourMode colour)
-{
-    return COLOURS[colour];
-}
+const char *const colour_names[COLOUR_COUNT + 1] = {"power", "photon", "bounce", "material"};
 
 View view_default(const Scene *scene)
 {

@@ -15,6 +15,7 @@ typedef enum {
 
 typedef enum { COLOUR_POWER, COLOUR_PHOTON, COLOUR_BOUNCE, COLOUR_MATERIAL } ColourMode;
 #define COLOUR_COUNT 4
+extern const char *const colour_names[COLOUR_COUNT + 1], *const view_names[VIEW_COUNT + 1]; // for flags; end with NULL
 
 // Of views that have no place in the scene: how many times nearer than at first, and how far to the side, in heights of
 // the picture as it was at first.
@@ -63,7 +64,6 @@ typedef struct Legend Legend;
 
 // One view; the list of them is views.def. What may be left out says so.
 typedef struct {
-    const char *name;   // for --view
     const char *help;   // in `photonlab preview --help`: what it shows, and its flags; lines
     const char *arrows; // what ←/→ and ↑/↓ choose, for the list of keys; with `choose`, or NULL
     enum {
@@ -94,10 +94,6 @@ static inline const ViewType *view_type(const View *view)
 
 View view_default(const Scene *scene);
 #define FRAMING_DEFAULT ((Framing){1.0f, 0.0f, 0.0f})
-bool view_kind_parse(const char *name, ViewKind *kind);       // points, paths, lobe, screen, tree
-void view_kind_names(char *text, size_t size);                // "points, paths, lobe, screen or tree"
-bool colour_mode_parse(const char *name, ColourMode *colour); // power, photon, bounce, material
-const char *colour_mode_name(ColourMode colour);
 
 // What the text around the picture says.
 typedef struct {

@@ -163,7 +163,6 @@ static void choose(View *view, const ViewData *data, bool sideways, int step)
 }
 
 const ViewType view_lobe = {
-    .name = "lobe",
     .help = "10000 samples of the scatter step over the lobe of the equation; --exponent N,\n"
             "--angle DEGREES of the mirror direction to the normal, --diffuse\n",
     .arrows = "angle, exponent",

@@ -164,7 +164,7 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
     const PathLeg *legs = path_legs(&data->recording, path, &count);
     if (path < 0) {
         snprintf(text, size, "paths of the first %ld photons, coloured by %s", data->recording.recorded,
-                 colour_mode_name(view->colour));
+                 colour_names[view->colour]);
         return;
     }
     if (!legs) {
@@ -194,7 +194,6 @@ static void choose(View *view, const ViewData *data, bool sideways, int step)
 }
 
 const ViewType view_paths = {
-    .name = "paths",
     .help = "the first paths as lines; --path I chooses one, --bounce B its legs up to that one\n",
     .arrows = "photon, bounce",
     .place = IN_THE_SCENE,

@@ -80,7 +80,7 @@ static void draw(const Pane *pane)
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
 {
     if (view->flight < 0.0) {
-        snprintf(text, size, "photons where they landed, coloured by %s", colour_mode_name(view->colour));
+        snprintf(text, size, "photons where they landed, coloured by %s", colour_names[view->colour]);
         return;
     }
     size_t count = 0;
@@ -91,7 +91,6 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
 }
 
 const ViewType view_points = {
-    .name = "points",
     .help = "stored photons (default)\n",
     .place = IN_THE_SCENE,
     .wires = 0.75f,

@@ -178,7 +178,6 @@ static void choose(View *view, const ViewData *data, bool sideways, int step)
 }
 
 const ViewType view_screen = {
-    .name = "screen",
     .help = "arrivals on one flat surface; --surface I\n",
     .arrows = "surface",
     .place = ON_A_SHEET,

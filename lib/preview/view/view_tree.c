@@ -121,7 +121,6 @@ static void choose(View *view, const ViewData *data, bool sideways, int step)
 }
 
 const ViewType view_tree = {
-    .name = "tree",
     .help = "cells of the photon map; --level N halvings deep\n",
     .arrows = "depth",
     .place = IN_THE_SCENE,

@@ -181,28 +181,29 @@ TEST(every_view_is_whole_and_listed)
 {
     for (int i = 0; i < VIEW_COUNT; i++) {
         const ViewType *type = view_types[i];
-        const char *missing = !type->name                                       ? "name"
-                              : !type->help                                     ? "help"
+        const char *missing = !type->help                                       ? "help"
                               : !type->draw                                     ? "draw"
                               : !type->describe                                 ? "describe"
                               : !type->arrows != !type->choose                  ? "arrows or choose"
                               : type->place == IN_THE_SCENE && type->wires <= 0 ? "wires"
                                                                                 : NULL;
         if (missing)
-            fail_msg("the ViewType of view %d, %s, has no %s", i + 1, type->name ? type->name : "?", missing);
+            fail_msg("the ViewType of view %d, %s, has no %s", i + 1, view_names[i], missing);
         for (int j = 0; j < MOST_SETTINGS; j++)
             if (type->settings[j].key && !type->settings[j].words)
-                fail_msg("--%s of view %s has a key and no words", type->settings[j].flag, type->name);
+                fail_msg("--%s of view %s has a key and no words", type->settings[j].flag, view_names[i]);
     }
     DIR *folder = opendir("lib/preview/view");
     assert_non_null(folder);
     for (struct dirent *entry; (entry = readdir(folder));) {
         char name[64] = "";
-        ViewKind kind;
         size_t length = strlen(entry->d_name);
         if (sscanf(entry->d_name, "view_%60[a-z0-9_]", name) != 1 || strcmp(entry->d_name + length - 2, ".c") != 0)
             continue;
-        if (!view_kind_parse(name, &kind))
+        int kind = 0;
+        while (kind < VIEW_COUNT && strcmp(view_names[kind], name) != 0)
+            kind++;
+        if (kind == VIEW_COUNT)
             fail_msg("lib/preview/view/%s: views.def has no view of this name", entry->d_name);
     }
     closedir(folder);
