@@ -24,7 +24,6 @@ typedef struct {
     long photons; // 0: as the scene says
     int depth;    // 0: as the scene says
     bool quiet, json;
-    StepChoice play;
     PhotonPassOptions options;
 } Arguments;
 
@@ -51,7 +50,8 @@ static int parse(int count, char **arguments, Arguments *a)
     if (!a->out)
         return report_usage("photonlab photons", "say where to write the photons: -o OUT.ply");
     Error error = {""};
-    if (!photon_file_path_is_known(a->out, &error) || (a->steps && !step_choice_parse(a->steps, &a->play, &error)))
+    if (!photon_file_path_is_known(a->out, &error) ||
+        (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
         return report_usage("photonlab photons", "%s", error.message);
     return 0;
 }
@@ -79,12 +79,10 @@ int command_photons(int count, char **arguments)
     a.options.photons = a.photons ? a.photons : scene->settings.photons;
     a.options.depth = a.depth ? a.depth : scene->settings.depth;
     if (a.code && !a.steps)
-        a.play = step_choice_for_student();
+        a.options.play = step_choice_for_student();
     if (a.code && !a.quiet)
-        report_steps(a.play, false);
-    a.options.glossy = a.play.glossy;
-    a.options.loop = a.play.loop;
-    steps_play(a.play);
+        report_steps(a.options.play, false);
+    steps_play(a.options.play);
     parallel_limit(a.options.threads);
 
     ProgressBar bar;

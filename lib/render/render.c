@@ -111,8 +111,7 @@ static bool make_maps(const Scene *scene, const RenderOptions *options, Maps *ma
         .seed = options->seed,
         .threads = options->threads,
         .keep = all ? KEEP_ALL : KEEP_CAUSTIC | KEEP_INDIRECT,
-        .glossy = options->play.glossy,
-        .loop = options->play.loop,
+        .play = options->play,
         .progress = options->progress,
     };
     PhotonPass pass;

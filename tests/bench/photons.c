@@ -27,12 +27,8 @@ typedef struct {
 
 static bool run_pass(const Scene *scene, long photons, int threads, unsigned keep, PhotonPass *pass, Error *error)
 {
-    PhotonPassOptions options = {.photons = photons,
-                                 .depth = scene->settings.depth,
-                                 .seed = 1,
-                                 .threads = threads,
-                                 .keep = keep,
-                                 .glossy = GLOSSY_PHONG};
+    PhotonPassOptions options = {
+        .photons = photons, .depth = scene->settings.depth, .seed = 1, .threads = threads, .keep = keep};
     return photon_pass_run(scene, &options, pass, error);
 }
 

@@ -173,12 +173,8 @@ static inline Scene *scene_from_file(const char *path)
 // All kinds of photons; they stand in pass.rest.
 static inline PhotonPass photons_of(const Scene *scene, long photons, uint64_t seed, StepChoice play)
 {
-    PhotonPassOptions options = {.photons = photons,
-                                 .depth = scene->settings.depth,
-                                 .seed = seed,
-                                 .keep = KEEP_ALL,
-                                 .glossy = play.glossy,
-                                 .loop = play.loop};
+    PhotonPassOptions options = {
+        .photons = photons, .depth = scene->settings.depth, .seed = seed, .keep = KEEP_ALL, .play = play};
     PhotonPass pass;
     Error error = {""};
     steps_play(play);

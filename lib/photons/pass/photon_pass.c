@@ -93,7 +93,7 @@ static void trace_chunk(PhotonTrace *trace, const PhotonPassOptions *options, co
 {
     const Scene *scene = trace->scene;
     void (*trace_path)(PhotonTrace *, Photon, Rng *) =
-        options->loop ? steps.trace_photon : steps.trace_photon_in_colour;
+        options->play.loop ? steps.trace_photon : steps.trace_photon_in_colour;
     for (long i = first; i < last; i++) {
         if (trace->recorder)
             trace->recorder->path(trace->recorder->user, i);
@@ -195,7 +195,7 @@ static void trace_all(const Scene *scene, const PhotonPassOptions *options, cons
         PhotonTrace trace = {.scene = scene,
                              .depth = options->depth,
                              .keep = options->keep,
-                             .glossy = options->glossy,
+                             .glossy = options->play.glossy,
                              .recorder = options->recorder};
         long first = options->first + i * CHUNK;
         long last = first + CHUNK < end ? first + CHUNK : end;

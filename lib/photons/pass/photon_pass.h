@@ -4,6 +4,7 @@
 
 #include "photons/pass/trace.h"
 #include "base/progress.h"
+#include "steps/steps.h"
 
 #define KEEP_DIRECT   (1u << PATH_DIRECT)
 #define KEEP_CAUSTIC  (1u << PATH_CAUSTIC)
@@ -24,11 +25,10 @@ typedef struct {
     long photons; // to emit
     int depth;    // surfaces a path may meet
     uint64_t seed;
-    int threads;        // 0: all cores
-    unsigned keep;      // KEEP_…: which photons to store
-    GlossyModel glossy; // which BRDF the ledger expects at glossy surfaces
-    bool loop;          // play the loop of step 1.5 in place of the recursion of 3.4
-    long first, last;   // only the paths first…last−1 of `photons`, as they are among all of them; last 0: all
+    int threads;      // 0: all cores
+    unsigned keep;    // KEEP_…: which photons to store
+    StepChoice play;  // whose BRDF the ledger expects at glossy surfaces; the loop of 1.5 or the recursion of 3.4
+    long first, last; // only the paths first…last−1 of `photons`, as they are among all of them; last 0: all
     const PhotonRecorder *recorder; // NULL: none
     Progress progress;
 } PhotonPassOptions;

@@ -79,8 +79,7 @@ static bool run_batches(const SceneCase *c, ProbeOutput *output, Error *error)
                                      .seed = hash_u64(c->seed + (uint64_t)i),
                                      .threads = 1,
                                      .keep = KEEP_ALL,
-                                     .glossy = c->play.glossy,
-                                     .loop = c->play.loop};
+                                     .play = c->play};
         PhotonPass pass;
         if (!photon_pass_run(c->scene, &options, &pass, error))
             return false;

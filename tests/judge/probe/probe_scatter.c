@@ -65,15 +65,12 @@ bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error)
     options.depth = (int)probe_whole(line, 1, 1000);
     const char *steps_text = probe_word(line);
     options.seed = probe_seed(line);
-    StepChoice play;
     if (line->broken || !probe_at_end(line))
         return error_set(error, "expected SCENE PHOTONS ROOM DEPTH STEPS SEED");
-    Scene *scene = step_choice_parse(steps_text, &play, error) ? probe_scene(path, error) : NULL;
+    Scene *scene = step_choice_parse(steps_text, &options.play, error) ? probe_scene(path, error) : NULL;
     if (!scene)
         return false;
-    options.glossy = play.glossy;
-    options.loop = play.loop;
-    steps_play(play);
+    steps_play(options.play);
     bool ok = run_pass(scene, &options, most, output, error);
     scene_free(scene);
     return ok;

@@ -162,7 +162,7 @@ static float fresnel_without_total_reflection(float cos_i, float eta)
 
 static bool ledger_notices(const Scene *scene)
 {
-    PhotonPassOptions options = {.photons = ENOUGH, .depth = 100, .seed = 1, .keep = KEEP_ALL, .glossy = GLOSSY_PHONG};
+    PhotonPassOptions options = {.photons = ENOUGH, .depth = 100, .seed = 1, .keep = KEEP_ALL};
     PhotonPass pass;
     assert_true(photon_pass_run(scene, &options, &pass, NULL));
     photon_pass_free(&pass);
