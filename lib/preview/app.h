@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_PREVIEW_APP_H
 #define PHOTONLAB_PREVIEW_APP_H
 
-#include "preview/snapshot.h"
+#include "preview/session.h"
 #include "preview/window.h"
 
 typedef struct {
@@ -28,27 +28,14 @@ typedef struct {
     double flight_started; // clock_seconds
     bool quit;
 
-    bool turning; // --orbit: the camera turns by itself for a while, and tells how fast
-    double turning_since;
-    long frames, frames_at_start;
-    bool orbit_done;
-    bool wants_rest; // tell when all photons are drawn after that
+    enum { NOT_TURNED, TURNING, TURNED, RESTED } orbit; // --orbit: the camera turns by itself for a while
+    double turning_since;                               // clock_seconds
+    long frames;                                        // that were drawn since then
 } App;
 
-#define MOVING_POINTS 50000 // photons drawn while the camera moves
-
-void app_listen(App *app); // has GLFW call these:
+void app_listen(App *app); // has GLFW call app_key, and do what the mouse says
 void app_key(App *app, int key);
-void app_drag(App *app, float right, float down); // pixels
-void app_scroll(App *app, float notches);         // > 0: away from the user, nearer to the scene
-void app_resize(App *app, int width, int height);
-
 const char *app_key_list(void); // what each key does, in lines
 void app_moved(App *app);       // to be called when the camera did
-
-// Turns on while --orbit lasts; prints "orbit: F frames a second, with N photons drawn" at its end.
-void app_turn_by_itself(App *app, double now);
-// After a frame: prints "rest: T s until all N photons were drawn" for the first that follows --orbit.
-void app_note_rest(App *app, bool all_drawn);
 
 #endif

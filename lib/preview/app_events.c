@@ -1,5 +1,17 @@
 // What GLFW tells of keys and mouse, while it waits or polls.
 #include "preview/app.h"
+#include "base/parallel.h"
+
+#include <math.h>
+#include <stdio.h>
+
+void app_moved(App *app)
+{
+    app->dirty = true;
+    app->moved_at = clock_seconds();
+    app->moving = true;
+    session_stop_render(&app->session); // it shows another view
+}
 
 static App *app_of(Window *window)
 {
@@ -44,6 +56,23 @@ static void on_button(Window *window, int button, int action, int modifiers)
     }
 }
 
+// Pixels.
+static void drag(App *app, float right, float down)
+{
+    View *view = &app->view;
+    right /= (float)app->height;
+    down /= (float)app->height;
+    if (app->button == 0 && !app->drag_shift && view_type(view)->place != ON_A_SHEET) {
+        orbit_turn(&view->orbit, 4.0f * right, 4.0f * down);
+    } else if (view_type(view)->place != IN_THE_SCENE) {
+        view->framing.right -= right / view->framing.zoom;
+        view->framing.up += down / view->framing.zoom;
+    } else {
+        orbit_pan(&view->orbit, -right, down);
+    }
+    app_moved(app);
+}
+
 // The mouse comes in units of the screen, of which a fine display has fewer than pixels.
 static void on_movement(Window *window, double x, double y)
 {
@@ -56,18 +85,32 @@ static void on_movement(Window *window, double x, double y)
     int width, height;
     glfw.glfwGetWindowSize(window, &width, &height);
     if (app->button >= 0 && known && width > 0 && height > 0)
-        app_drag(app, (float)(right * app->width / width), (float)(down * app->height / height));
+        drag(app, (float)(right * app->width / width), (float)(down * app->height / height));
 }
 
+// Away from the user: nearer to the scene.
 static void on_scroll(Window *window, double right, double up)
 {
     (void)right;
-    app_scroll(app_of(window), (float)up);
+    App *app = app_of(window);
+    Framing *framing = &app->view.framing;
+    if (view_type(&app->view)->place != IN_THE_SCENE)
+        framing->zoom = fminf(fmaxf(framing->zoom * powf(0.9f, -(float)up), LEAST_ZOOM), MOST_ZOOM);
+    else
+        orbit_zoom(&app->view.orbit, powf(0.9f, (float)up));
+    app_moved(app);
 }
 
 static void on_size(Window *window, int width, int height)
 {
-    app_resize(app_of(window), width, height);
+    App *app = app_of(window);
+    Error error = {""};
+    app->width = width;
+    app->height = height;
+    if (width > 0 && height > 0 && !canvas_resize(app->canvas, width, height, &error))
+        fprintf(stderr, "%s\n", error.message);
+    session_stop_render(&app->session);
+    app->dirty = true;
 }
 
 // What was shown is lost.

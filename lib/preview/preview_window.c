@@ -8,8 +8,9 @@
 #define BUSY_WAIT 0.008 // s, while something is on its way
 #define IDLE_WAIT 0.03  // s: as late as this a save is noticed
 
-#define REST_SECONDS   0.05 // without a movement: all photons are drawn
-#define FLIGHT_SECONDS 8.0  // of slow light across the scene, thrice
+#define MOVING_POINTS  50000 // photons drawn while the camera moves
+#define REST_SECONDS   0.05  // without a movement: all photons are drawn
+#define FLIGHT_SECONDS 8.0   // of slow light across the scene, thrice
 
 // Slow light goes on until the last photon has landed, and starts again.
 static void advance_flight(App *app, double now)
@@ -42,6 +43,42 @@ static void draw(App *app)
     app->frames++;
 }
 
+static size_t points_drawn(const App *app)
+{
+    size_t count = view_data_recording(app->session.data[YOURS])->count;
+    return app->moving && count > MOVING_POINTS ? MOVING_POINTS : count;
+}
+
+// While --orbit lasts; tells how fast at its end.
+static void turn_by_itself(App *app, double now)
+{
+    double seconds = app->session.options->orbit_seconds;
+    if (app->orbit > TURNING || seconds <= 0.0 || session_is_busy(&app->session))
+        return;
+    if (app->orbit == NOT_TURNED) {
+        app->orbit = TURNING;
+        app->turning_since = now;
+        app->frames = 0;
+    }
+    orbit_turn(&app->view.orbit, 0.01f, 0.0f);
+    app_moved(app);
+    if (now - app->turning_since < seconds)
+        return;
+    app->orbit = TURNED;
+    printf("orbit: %.1f frames a second, with %zu photons drawn\n", (double)app->frames / (now - app->turning_since),
+           points_drawn(app));
+}
+
+// After a frame with all photons, the first that follows --orbit.
+static void note_rest(App *app)
+{
+    if (app->orbit != TURNED)
+        return;
+    canvas_finish(app->canvas);
+    app->orbit = RESTED;
+    printf("rest: %.2f s until all %zu photons were drawn\n", clock_seconds() - app->moved_at, points_drawn(app));
+}
+
 // The student's question is answered when its photons are on the screen.
 static void note_answer(Session *session)
 {
@@ -55,9 +92,8 @@ static void note_answer(Session *session)
 // One turn of the loop.
 static void turn(App *app)
 {
-    bool active = session_is_busy(&app->session) || app->session.runs[RUN_RENDER][YOURS] || app->moving ||
-                  app->flying || app->turning;
-    if (app->turning)
+    bool active = session_is_busy(&app->session) || app->session.runs[RUN_RENDER][YOURS] || app->moving || app->flying;
+    if (app->orbit == TURNING)
         glfw.glfwPollEvents();
     else
         glfw.glfwWaitEventsTimeout(active ? BUSY_WAIT : IDLE_WAIT);
@@ -69,7 +105,7 @@ static void turn(App *app)
             true; // the answer is wanted soon: a fair part of its photons first, all of them in the next frame
         app->moved_at = now;
     }
-    app_turn_by_itself(app, now);
+    turn_by_itself(app, now);
     if (app->moving && now - app->moved_at > REST_SECONDS) {
         app->moving = false;
         app->dirty = true; // all photons
@@ -80,7 +116,8 @@ static void turn(App *app)
     bool rest = !is_hurried(app);
     draw(app);
     note_answer(&app->session);
-    app_note_rest(app, rest);
+    if (rest)
+        note_rest(app);
 }
 
 static bool start(App *app, const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error)

@@ -74,4 +74,9 @@ ViewData *session_yours(const Session *session);
 // Draws this view, of both if it is split, with the words that the session has for it. `help`: the list of keys, or NULL.
 void session_draw(const Session *session, const View *view, const char *help);
 
+// Writes what the canvas shows; the old file stays when that fails.
+bool snapshot_write(Canvas *canvas, const char *path, Error *error);
+// The flags that make the present picture again, to be typed.
+void snapshot_command(const Session *session, char *text, size_t size);
+
 #endif

@@ -1,4 +1,5 @@
-#include "preview/snapshot.h"
+// Pictures of the preview in files.
+#include "preview/session.h"
 #include "base/text.h"
 #include "preview/window.h"
 
