@@ -53,7 +53,7 @@ LIBRARY_SOURCES := $(filter-out lib/cli/% lib/preview/%,$(call find_c,lib))
 # Without the headers of GLFW and OpenGL there is no preview, and `photonlab preview` says what to install.
 HAVE_PREVIEW    := $(shell $(CC) -DGLFW_INCLUDE_GLCOREARB -include GLFW/glfw3.h -fsyntax-only -x c /dev/null 2>/dev/null && echo yes)
 PREVIEW_SOURCES := $(if $(HAVE_PREVIEW),$(call find_c,lib/preview))
-PROGRAM_SOURCES := $(filter-out $(if $(HAVE_PREVIEW),,lib/cli/preview_%),$(call find_c,lib/cli)) $(PREVIEW_SOURCES)
+PROGRAM_SOURCES := $(call find_c,lib/cli) $(PREVIEW_SOURCES)
 STEP_SOURCES     = $(wildcard solutions/*/*.c)
 
 object   = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))

@@ -15,7 +15,6 @@ int command_preview(int count, char **arguments)
 
 #else
 
-#include "cli/preview_photons.h"
 #include "base/text.h"
 #include "preview/preview.h"
 
@@ -222,8 +221,8 @@ static bool show_files(const Scene *scene, const Arguments *a, Error *error)
     PreviewOptions options = a->options;
     options.given = &yours;
     options.given_reference = a->reference_file ? &reference : NULL;
-    bool ok = preview_photons_read(a->photons_file, scene, &yours, error) &&
-              (!a->reference_file || preview_photons_read(a->reference_file, scene, &reference, error)) &&
+    bool ok = recording_read(a->photons_file, scene, &yours, error) &&
+              (!a->reference_file || recording_read(a->reference_file, scene, &reference, error)) &&
               preview_snapshot(scene, &options, NULL, error);
     recording_free(&yours);
     recording_free(&reference);

@@ -30,6 +30,11 @@ typedef struct {
     uint8_t end;    // LegEnd
 } PathLeg;
 
+static inline float leg_length(const PathLeg *leg)
+{
+    return vec3_length(vec3_sub(leg->to, leg->from));
+}
+
 // Of one photon pass.
 typedef struct {
     RecordedPhoton *photons; // in the order of the paths: any first part is a fair sample
@@ -48,8 +53,11 @@ typedef struct {
     StepChoice play;
 } Recording;
 
-// The largest `flown` of its photons and of its legs' ends, m.
-double recording_farthest(const Recording *recording);
+// Fills in `farthest`, and `bounces` as far as its photons tell.
+void recording_measure(Recording *recording);
+// Photons out of a file, see photon_numbers.h, which may hold anything: one that is not well formed is refused, photons
+// that cannot be drawn (no numbers, no such material) are left out.
+bool recording_read(const char *path, const Scene *scene, Recording *recording, Error *error);
 void recording_free(Recording *recording);
 
 // What a scatter step answered about one lobe; a weight of 0 stands for a photon that was absorbed.

@@ -86,7 +86,7 @@ static void fill_in(const Run *run, Buffer photons, Buffer legs, double seconds,
     recording->leg_count = legs.size / sizeof *recording->legs;
     recording->recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
     recording->seconds = seconds;
-    recording->farthest = recording_farthest(recording);
+    recording_measure(recording);
 }
 
 Recording run_take_recording(Run *run)
@@ -116,10 +116,6 @@ bool run_copy_partial(const Run *run, Recording *recording)
     memcpy(recording->states, run->parts[0].result.states, sizeof recording->states);
     recording->emitted = (long)(run->status.fraction * (double)run->request.photons);
     recording->emitted = recording->emitted > 0 ? recording->emitted : 1;
-    for (size_t i = 0; i < recording->count; i++)
-        recording->bounces = recording->photons[i].at.bounce + 1 > recording->bounces
-                                 ? recording->photons[i].at.bounce + 1
-                                 : recording->bounces;
     return true;
 }
 

@@ -25,7 +25,7 @@ float leg_flown(const PathLeg *leg, double flight)
 {
     if (flight < 0.0)
         return 1.0f;
-    double length = (double)vec3_length(vec3_sub(leg->to, leg->from));
+    double length = (double)leg_length(leg);
     double flown = flight - (double)leg->flown;
     if (flown <= 0.0)
         return 0.0f;
@@ -36,8 +36,7 @@ float leg_flown(const PathLeg *leg, double flight)
 static float length_share(const ViewData *data, const PathLeg *leg)
 {
     float size = box_diagonal(bvh_bounds(data->scene->bvh));
-    float share = vec3_length(vec3_sub(leg->to, leg->from)) / (0.2f * size);
-    return fminf(fmaxf(share, 0.12f), 1.0f);
+    return fminf(fmaxf(leg_length(leg) / (0.2f * size), 0.12f), 1.0f);
 }
 
 static Rgba leg_colour(const ViewData *data, ColourMode mode, const PathLeg *leg)
@@ -179,7 +178,7 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
         "photon %ld, leg %zu of %zu: after %u bounce%s, %s, %.3g W\nred %.3g, green %.3g, blue %.3g W\n%s after %.3g m",
         path, present + 1, count, leg->bounce, leg->bounce == 1 ? "" : "s", photon_colour_name(leg->colour),
         (double)colour_sum(leg->power), (double)leg->power.r, (double)leg->power.g, (double)leg->power.b,
-        ENDS[leg->end <= LEG_ESCAPED ? leg->end : 0], (double)(leg->flown + vec3_length(vec3_sub(leg->to, leg->from))));
+        ENDS[leg->end <= LEG_ESCAPED ? leg->end : 0], (double)(leg->flown + leg_length(leg)));
 }
 
 static void choose(View *view, const ViewData *data, bool sideways, int step)
