@@ -16,15 +16,15 @@ static bool load(Error *error)
                                         "/opt/homebrew/lib/libglfw.3.dylib",
                                         "/usr/local/lib/libglfw.3.dylib",
                                         NULL};
-    void *library = library_open("glfw", FILES);
-    if (!library)
+#define ROW(name) {#name, &glfw.name},
+    static const LibraryFunction FUNCTIONS[] = {GLFW_FUNCTIONS(ROW){NULL, NULL}};
+#undef ROW
+    const char *missing;
+    if (library_load("glfw", FILES, FUNCTIONS, &missing))
+        return true;
+    if (!missing)
         return error_set(error, "there is no GLFW here; " WHAT_TO_INSTALL);
-#define LOAD(name)                                                                                                     \
-    if (!library_function(library, #name, &glfw.name))                                                                 \
-        return error_set(error, "this GLFW has no " #name "; the preview needs GLFW 3.3 or later");
-    GLFW_FUNCTIONS(LOAD)
-#undef LOAD
-    return true;
+    return error_set(error, "this GLFW has no %s; the preview needs GLFW 3.3 or later", missing);
 }
 
 // What GLFW says about its last failure.

@@ -1,41 +1,39 @@
+#include "base/text.h"
 #include "preview/draw/context/context_internal.h"
 
 #include <stdlib.h>
 
-#define WHAT_TO_INSTALL                                                                                                \
-    "install one of them: Debian, Ubuntu: apt-get install libosmesa6, or libegl1 libgl1-mesa-dri; "                    \
-    "Fedora: dnf install mesa-libOSMesa, or mesa-libEGL mesa-dri-drivers; Arch: pacman -S mesa; "                      \
-    "macOS: brew install mesa"
-
-// The kinds that were asked for, in order, until one is there.
-static bool start(Context *context, ContextKind kind, Error *error)
-{
-    Error osmesa = {""}, egl = {""};
-    if (kind != CONTEXT_EGL && context_start_osmesa(context, &osmesa))
-        return true;
-    if (kind == CONTEXT_OSMESA)
-        return error_set(error,
-                         "OSMesa: %s; Debian, Ubuntu: apt-get install libosmesa6; Fedora: dnf install "
-                         "mesa-libOSMesa; Arch: pacman -S mesa; macOS: brew install mesa",
-                         osmesa.message);
-    if (context_start_egl(context, &egl))
-        return true;
-    if (kind == CONTEXT_EGL)
-        return error_set(error,
-                         "EGL: %s; Debian, Ubuntu: apt-get install libegl1 libgl1-mesa-dri; Fedora: dnf install "
-                         "mesa-libEGL mesa-dri-drivers; Arch: pacman -S mesa",
-                         egl.message);
-    return error_set(error, "no OpenGL to draw with, neither OSMesa (%s) nor EGL (%s); " WHAT_TO_INSTALL,
-                     osmesa.message, egl.message);
-}
+// In the order in which they are tried.
+static const struct {
+    ContextKind kind;
+    const char *name, *install;
+    bool (*start)(Context *context, Error *error);
+} KINDS[] = {
+    {CONTEXT_OSMESA, "OSMesa",
+     "Debian, Ubuntu: apt-get install libosmesa6; Fedora: dnf install mesa-libOSMesa; Arch: pacman -S mesa; macOS: brew "
+     "install mesa",
+     context_start_osmesa},
+    {CONTEXT_EGL, "EGL",
+     "Debian, Ubuntu: apt-get install libegl1 libgl1-mesa-dri; Fedora: dnf install mesa-libEGL mesa-dri-drivers; Arch: "
+     "pacman -S mesa",
+     context_start_egl},
+};
 
 Context *context_create(ContextKind kind, Error *error)
 {
     Context *context = calloc(1, sizeof *context);
-    if (!context)
-        error_set(error, "not enough memory");
-    else if (start(context, kind, error))
-        return context;
+    char reasons[sizeof error->message] = "";
+    for (size_t i = 0; i < sizeof KINDS / sizeof *KINDS; i++) {
+        Error reason = {""};
+        if (kind != CONTEXT_ANY && kind != KINDS[i].kind)
+            continue;
+        if (context && KINDS[i].start(context, &reason))
+            return context;
+        error_set(&reason, "not enough memory"); // unless there is another reason
+        text_append(reasons, sizeof reasons, "%s%s: %s; %s", reasons[0] ? "; or " : "", KINDS[i].name, reason.message,
+                    KINDS[i].install);
+    }
+    error_set(error, kind == CONTEXT_ANY ? "no OpenGL to draw with. %s" : "%s", reasons);
     free(context);
     return NULL;
 }

@@ -25,32 +25,20 @@ static struct {
     void *(*get_platform_display)(unsigned platform, void *native, const void *attributes); // NULL: it has none
 } egl;
 
-enum {
-    EGL_NONE = 0x3038,
-    EGL_SURFACE_TYPE = 0x3033,
-    EGL_PBUFFER_BIT = 1,
-    EGL_RENDERABLE_TYPE = 0x3040,
-    EGL_OPENGL_BIT = 8,
-    EGL_HEIGHT = 0x3056,
-    EGL_WIDTH = 0x3057,
-    EGL_CONTEXT_MAJOR_VERSION = 0x3098,
-    EGL_OPENGL_API = 0x30A2,
-    EGL_CONTEXT_MINOR_VERSION = 0x30FB,
-    EGL_CONTEXT_OPENGL_PROFILE_MASK = 0x30FD,
-    EGL_CORE_PROFILE_BIT = 1,
-    EGL_PLATFORM_SURFACELESS_MESA = 0x31DD
-};
+// EGL's numbers, of configurations and surfaces, of contexts, of the rest.
+enum { EGL_NONE = 0x3038, EGL_SURFACE_TYPE = 0x3033, EGL_RENDERABLE_TYPE = 0x3040, EGL_HEIGHT = 0x3056, EGL_WIDTH };
+enum { MAJOR_VERSION = 0x3098, MINOR_VERSION = 0x30FB, PROFILE_MASK = 0x30FD };
+enum { EGL_OPENGL_API = 0x30A2, EGL_PLATFORM_SURFACELESS_MESA = 0x31DD };
+enum { EGL_PBUFFER_BIT = 1, EGL_OPENGL_BIT = 8, CORE_PROFILE_BIT = 1 };
 
 static bool load(Error *error)
 {
     static const char *const FILES[] = {"libEGL.so.1", "libEGL.so", NULL};
-    void *library = library_open("egl", FILES);
-    if (!library)
-        return error_set(error, "there is no libEGL");
-#define LOAD(result, name, parameters)                                                                                 \
-    if (!library_function(library, #name, &egl.name))                                                                  \
-        return error_set(error, "libEGL is too old");
-    EGL_FUNCTIONS(LOAD)
+#define EGL_FUNCTION(result, name, parameters) {#name, &egl.name},
+    static const LibraryFunction FUNCTIONS[] = {EGL_FUNCTIONS(EGL_FUNCTION){NULL, NULL}};
+    const char *missing;
+    if (!library_load("egl", FILES, FUNCTIONS, &missing))
+        return error_set(error, missing ? "libEGL is too old" : "there is no libEGL");
     void *address = egl.eglGetProcAddress("eglGetPlatformDisplayEXT");
     library_address_to_function(address ? address : egl.eglGetProcAddress("eglGetPlatformDisplay"),
                                 &egl.get_platform_display);
@@ -65,9 +53,7 @@ static void *address_of(const char *name)
 // With no configuration first: the canvas needs none. Where the driver insists, one that can have a small surface.
 static bool make_present(Context *context)
 {
-    static const int VERSION[] = {
-        EGL_CONTEXT_MAJOR_VERSION, 3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CORE_PROFILE_BIT,      EGL_NONE};
+    static const int VERSION[] = {MAJOR_VERSION, 3, MINOR_VERSION, 3, PROFILE_MASK, CORE_PROFILE_BIT, EGL_NONE};
     static const int WISH[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     static const int SIZE[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
     void *display = context->display, *config = NULL;

@@ -8,7 +8,7 @@ struct Context {
     GlLoader loader;
     void (*end)(Context *context);     // of what the kind made
     void *handle;                      // OSMesaContext or EGLContext
-    void *display, *surface;           // EGL's
+    void *display;                     // EGL's
     unsigned char pixels[4 * 16 * 16]; // OSMesa wants a picture to draw into; the canvas has its own
 };
 

@@ -22,15 +22,14 @@ static bool load(Error *error)
                                         "/opt/homebrew/lib/libOSMesa.8.dylib",
                                         "/usr/local/lib/libOSMesa.8.dylib",
                                         NULL};
-    void *library = library_open("osmesa", FILES);
-    if (!library)
-        return error_set(error, "there is no libOSMesa");
-    if (library_function(library, "OSMesaCreateContextAttribs", &mesa.create) &&
-        library_function(library, "OSMesaMakeCurrent", &mesa.make_current) &&
-        library_function(library, "OSMesaGetProcAddress", &mesa.address) &&
-        library_function(library, "OSMesaDestroyContext", &mesa.destroy))
-        return true;
-    return error_set(error, "libOSMesa is too old");
+    static const LibraryFunction FUNCTIONS[] = {{"OSMesaCreateContextAttribs", &mesa.create},
+                                                {"OSMesaMakeCurrent", &mesa.make_current},
+                                                {"OSMesaGetProcAddress", &mesa.address},
+                                                {"OSMesaDestroyContext", &mesa.destroy},
+                                                {NULL, NULL}};
+    const char *missing;
+    return library_load("osmesa", FILES, FUNCTIONS, &missing) ||
+           error_set(error, missing ? "libOSMesa is too old" : "there is no libOSMesa");
 }
 
 static void *address_of(const char *name)
@@ -46,15 +45,8 @@ static void end(Context *context)
 
 bool context_start_osmesa(Context *context, Error *error)
 {
-    enum {
-        FORMAT = 0x22,
-        PROFILE = 0x33,
-        CORE = 0x34,
-        MAJOR = 0x36,
-        MINOR = 0x37,
-        RGBA = 0x1908,
-        UNSIGNED_BYTE = 0x1401
-    };
+    enum { FORMAT = 0x22, PROFILE = 0x33, CORE = 0x34, MAJOR = 0x36, MINOR = 0x37 }; // OSMesa's numbers
+    enum { RGBA = 0x1908, UNSIGNED_BYTE = 0x1401 };                                  // OpenGL's
     static const int ATTRIBUTES[] = {FORMAT, RGBA, PROFILE, CORE, MAJOR, 3, MINOR, 3, 0, 0};
     if (!load(error))
         return false;

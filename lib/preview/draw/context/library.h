@@ -4,15 +4,18 @@
 
 #include <stdbool.h>
 
-// Opens the first file of `files` (ends with NULL) that is there; NULL when none is. It is never closed again: drivers
-// leave threads and exit handlers behind that would run into a hole. PHOTONLAB_WITHOUT=osmesa,egl,glfw in the
+typedef struct {
+    const char *name;
+    void *function; // points to a pointer to function of the right type
+} LibraryFunction;
+
+// Opens the first file of `files` (ends with NULL) that is there, and fills in the functions (end with NULL). False:
+// *missing is the name of one that the library has not, or NULL when there is no such file. It is never closed again:
+// drivers leave threads and exit handlers behind that would run into a hole. PHOTONLAB_WITHOUT=osmesa,egl,glfw in the
 // environment hides the libraries of these names, so that their absence can be tested.
-void *library_open(const char *name, const char *const files[]);
+bool library_load(const char *name, const char *const files[], const LibraryFunction *functions, const char **missing);
 
-// Puts the address of a function into *function, a pointer to function of the right type. False when there is none.
-bool library_function(void *library, const char *name, void *function);
-
-// The same for an address that a library has given: C99 has no cast from one to the other.
+// Puts an address that a library has given into such a pointer: C99 has no cast from one to the other.
 void library_address_to_function(void *address, void *function);
 
 #endif
