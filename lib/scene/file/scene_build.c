@@ -5,55 +5,32 @@
 
 #include <string.h>
 
-// Puts an item behind the last of a list; gives the list, moved if need be, or NULL.
-static void *append(const SceneBuilder *builder, void *list, size_t *count, size_t *capacity, const void *item,
-                    size_t item_size)
-{
-    char *moved = array_reserve(list, *count, capacity, item_size);
-    if (!moved) {
-        error_set(builder->file.error, "%s: not enough memory for lights and shapes", builder->file.name);
-        return NULL;
-    }
-    memcpy(moved + *count * item_size, item, item_size);
-    ++*count;
-    return moved;
-}
-
-bool scene_add_light(SceneBuilder *builder, const Light *light)
-{
-    Scene *scene = builder->scene;
-    Light *lights =
-        append(builder, scene->lights, &scene->light_count, &builder->light_capacity, light, sizeof *lights);
-    scene->lights = lights ? lights : scene->lights;
-    return lights != NULL;
-}
-
 bool scene_add_flat(SceneBuilder *builder, Flat flat)
 {
     Scene *scene = builder->scene;
-    Flat *flats = append(builder, scene->flats, &scene->flat_count, &builder->flat_capacity, &flat, sizeof flat);
-    scene->flats = flats ? flats : scene->flats;
-    return flats != NULL;
+    Flat *flats = array_reserve(scene->flats, scene->flat_count, &builder->flat_capacity, sizeof flat);
+    if (!flats)
+        return scene_out_of_memory(&builder->file);
+    scene->flats = flats;
+    flats[scene->flat_count++] = flat;
+    return true;
 }
 
 bool scene_add_sphere(SceneBuilder *builder, Sphere sphere)
 {
-    Scene *scene = builder->scene;
-    Sphere *spheres =
-        append(builder, scene->spheres, &scene->sphere_count, &builder->sphere_capacity, &sphere, sizeof sphere);
-    scene->spheres = spheres ? spheres : scene->spheres;
-    return spheres != NULL;
+    builder->scene->spheres[builder->scene->sphere_count++] = sphere;
+    return true;
 }
 
 bool scene_add_normals(SceneBuilder *builder, const Vec3 corners[3])
 {
     Scene *scene = builder->scene;
     for (int i = 0; i < 3; i++) {
-        Vec3 *normals = append(builder, scene->normals, &scene->normal_count, &builder->normal_capacity, &corners[i],
-                               sizeof *normals);
+        Vec3 *normals = array_reserve(scene->normals, scene->normal_count, &builder->normal_capacity, sizeof *normals);
         if (!normals)
-            return false;
+            return scene_out_of_memory(&builder->file);
         scene->normals = normals;
+        normals[scene->normal_count++] = corners[i];
     }
     return true;
 }

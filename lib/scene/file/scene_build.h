@@ -6,8 +6,7 @@
 
 #define NO_MATERIAL UINT32_MAX
 
-// The count of lights, flats, spheres or normals grows. False when memory is short.
-bool scene_add_light(SceneBuilder *builder, const Light *light);
+// The count of flats, spheres or normals grows. False when memory is short.
 bool scene_add_flat(SceneBuilder *builder, Flat flat);
 bool scene_add_sphere(SceneBuilder *builder, Sphere sphere);
 bool scene_add_normals(SceneBuilder *builder, const Vec3 corners[3]);

@@ -186,12 +186,10 @@ static bool build(SceneBuilder *builder, SceneEntry *entry)
     if (scene_given(entry, brightness) && colour_max(scene_colour(entry, brightness)) <= 0)
         return scene_fault(entry, brightness, "this light is dark; expected a number above 0");
     Light light = {.type = (LightType)entry->type_number, .primitive = NO_PRIMITIVE};
-    return kind->build(builder, entry, &light) && scene_add_light(builder, &light);
+    if (!kind->build(builder, entry, &light))
+        return false;
+    builder->scene->lights[builder->scene->light_count++] = light;
+    return true;
 }
 
-static const SceneKey keys[] = {
-    {"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"},
-    {.name = NULL},
-};
-
-const SceneSection light_section = {"lights", "What gives light.", MAX_LIGHTS, true, keys, type_at, build};
+const SceneSection light_section = {"lights", "What gives light.", MAX_LIGHTS, true, type_key, type_at, build};

@@ -13,8 +13,10 @@ static bool build_scene(SceneBuilder *builder)
 {
     Scene *scene = builder->scene;
     scene->materials = calloc(MAX_MATERIALS, sizeof *scene->materials);
-    if (!scene->materials)
-        return error_set(builder->file.error, "%s: not enough memory", builder->file.name);
+    scene->lights = calloc(MAX_LIGHTS, sizeof *scene->lights);
+    scene->spheres = calloc(builder->file.entry_count, sizeof *scene->spheres); // an entry makes one at most
+    if (!scene->materials || !scene->lights || !scene->spheres)
+        return scene_out_of_memory(&builder->file);
     for (int i = 0; i < SCENE_SECTIONS; i++)
         for (size_t e = 0; e < builder->file.entry_count; e++) {
             SceneEntry *entry = &builder->file.entries[e];
@@ -35,7 +37,7 @@ Scene *scene_load_text(const char *text, size_t size, const char *file, const ch
     if (scene_read(text, size, &builder.file)) {
         builder.scene = calloc(1, sizeof *builder.scene);
         if (!builder.scene)
-            error_set(error, "%s: not enough memory", file);
+            scene_out_of_memory(&builder.file);
         else if (!build_scene(&builder)) {
             scene_free(builder.scene);
             builder.scene = NULL;

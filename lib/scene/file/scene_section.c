@@ -9,6 +9,11 @@
 const SceneSection *const scene_sections[SCENE_SECTIONS] = {&camera_section, &render_section, &material_section,
                                                             &light_section, &shape_section};
 
+const SceneKey type_key[] = {
+    {"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"},
+    {.name = NULL},
+};
+
 const SceneKey *scene_key_at(const SceneSection *section, size_t i)
 {
     const SceneType *type;
@@ -80,25 +85,17 @@ static KeyList list_keys(const SceneKey *keys, bool others)
     return list;
 }
 
-static bool check_given(const SceneEntry *entry, const SceneKey *keys, const char *path)
-{
-    for (const SceneKey *key = keys; key->name; key++) {
-        if (key->otherwise || scene_value(entry, key->name))
-            continue;
-        if (keys == entry->common || !entry->type->called)
-            return scene_fault(entry, NULL, "%s has no '%s'; expected this key", path, key->name);
-        return scene_fault(entry, NULL, "this %s has no '%s'; expected the keys: %s", entry->type->called, key->name,
-                           list_keys(keys, false).text);
-    }
-    return true;
-}
-
-// Adds the values that hold for keys that were left out.
-static bool add_others(SceneFile *file, SceneEntry *entry, const SceneKey *keys)
+// Adds the values that hold for keys that were left out; a fault for one that is required.
+static bool add_others(SceneFile *file, SceneEntry *entry, const SceneKey *keys, const char *path)
 {
     for (const SceneKey *key = keys; key->name; key++) {
         if (scene_value(entry, key->name))
             continue;
+        if (!key->otherwise && (keys == entry->common || !entry->type->called))
+            return scene_fault(entry, NULL, "%s has no '%s'; expected this key", path, key->name);
+        if (!key->otherwise)
+            return scene_fault(entry, NULL, "this %s has no '%s'; expected the keys: %s", entry->type->called,
+                               key->name, list_keys(keys, false).text);
         SceneValue *value = scene_add_value(file, entry, key);
         if (!value)
             return false;
@@ -115,7 +112,7 @@ static bool add_others(SceneFile *file, SceneEntry *entry, const SceneKey *keys)
 
 bool scene_complete(SceneFile *file, SceneEntry *entry, const char *path)
 {
-    if (!check_given(entry, entry->common, path))
+    if (!add_others(file, entry, entry->common, path))
         return false;
     const SceneValue *type = scene_value(entry, "type");
     entry->type_number = type ? (size_t)type->number[0] : 0;
@@ -130,6 +127,5 @@ bool scene_complete(SceneFile *file, SceneEntry *entry, const char *path)
         if (!check_range(entry, path, value))
             return false;
     }
-    return check_given(entry, entry->type->keys, path) && add_others(file, entry, entry->common) &&
-           add_others(file, entry, entry->type->keys);
+    return add_others(file, entry, entry->type->keys, path);
 }

@@ -13,7 +13,7 @@ typedef struct {
     const char *folder;    // where meshes are looked for, with a slash at its end; NULL: none are read
     Scene *scene;          // a light's sphere counts from 0 in it until all flats are known
     size_t file_materials; // that the file names; those of shining surfaces stand behind them
-    size_t light_capacity, flat_capacity, sphere_capacity, normal_capacity;
+    size_t flat_capacity, normal_capacity;
 } SceneBuilder;
 
 typedef struct {
@@ -30,6 +30,8 @@ typedef struct {
 enum { SCENE_SECTIONS = 5 };
 extern const SceneSection *const scene_sections[SCENE_SECTIONS]; // in the order in which they are built
 extern const SceneSection camera_section, render_section, material_section, light_section, shape_section;
+
+extern const SceneKey type_key[]; // of sections whose entries have nothing else in common
 
 // Row number i of a section, those of every type and then each type's own; NULL past the last.
 const SceneKey *scene_key_at(const SceneSection *section, size_t i);

@@ -158,9 +158,4 @@ static bool build(SceneBuilder *builder, SceneEntry *entry)
     return kinds[entry->type_number].build(builder, entry, (uint32_t)material);
 }
 
-static const SceneKey keys[] = {
-    {"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"},
-    {.name = NULL},
-};
-
-const SceneSection shape_section = {"shapes", "What light falls on.", MAX_SHAPES, false, keys, type_at, build};
+const SceneSection shape_section = {"shapes", "What light falls on.", MAX_SHAPES, false, type_key, type_at, build};
