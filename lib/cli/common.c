@@ -25,14 +25,11 @@ static void draw_bar(void *user, const char *phase, double fraction)
         return;
     bar->drawn = now;
     bar->shown = true;
-    char cells[31];
     int full = (int)(30.0 * fraction);
-    for (int i = 0; i < 30; i++)
-        cells[i] = i < full ? '#' : '.';
-    cells[30] = '\0';
     double elapsed = now - bar->started;
     double left = fraction > 0.0 ? elapsed * (1.0 - fraction) / fraction : 0.0;
-    fprintf(stderr, "\r%-9s [%s] %3.0f %%  %.0f s left   ", phase, cells, 100.0 * fraction, ceil(left));
+    fprintf(stderr, "\r%-9s [%.*s%.*s] %3.0f %%  %.0f s left   ", phase, full, "##############################",
+            30 - full, "..............................", 100.0 * fraction, ceil(left));
     fflush(stderr);
 }
 

@@ -88,22 +88,16 @@ static int parse(int count, char **arguments, Arguments *a)
 // The scene's settings, but for those that flags replace.
 static RenderSettings settings_of(const Scene *scene, const RenderSettings *flags)
 {
-    RenderSettings settings = scene->settings;
-    if (flags->width) {
-        settings.width = flags->width;
-        settings.height = flags->height;
-    }
-    if (flags->samples)
-        settings.samples = flags->samples;
-    if (flags->photons)
-        settings.photons = flags->photons;
-    if (flags->k)
-        settings.k = flags->k;
-    if (flags->radius >= 0.0f)
-        settings.radius = flags->radius;
-    if (flags->depth)
-        settings.depth = flags->depth;
-    return settings;
+    const RenderSettings *own = &scene->settings;
+    return (RenderSettings){
+        .width = flags->width ? flags->width : own->width,
+        .height = flags->height ? flags->height : own->height,
+        .samples = flags->samples ? flags->samples : own->samples,
+        .photons = flags->photons ? flags->photons : own->photons,
+        .k = flags->k ? flags->k : own->k,
+        .radius = flags->radius >= 0.0f ? flags->radius : own->radius,
+        .depth = flags->depth ? flags->depth : own->depth,
+    };
 }
 
 static void print_json(const RenderStats *s)

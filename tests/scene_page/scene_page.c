@@ -58,7 +58,7 @@ static void print_section(const SceneSection *section)
         printf(" %s.", section->required ? "Required" : "May be left out");
     printf("\n");
     print_keys(section->keys);
-    for (size_t i = 0; (type = section->type_at(i)); i++) {
+    for (size_t i = 0; (type = scene_type_at(section, i)); i++) {
         if (section->most)
             printf("\n### %s: `%s`\n\n%s\n", section->name, type->name, type->meaning);
         else
@@ -88,7 +88,7 @@ static void print_words(void)
         printf("\"%s: \"\n", scene_sections[s]->name);
         for (size_t i = 0; (key = scene_key_at(scene_sections[s], i)); i++)
             printf("\"%s: \"\n", key->name);
-        for (size_t i = 0; scene_sections[s]->most && (type = scene_sections[s]->type_at(i)); i++)
+        for (size_t i = 0; scene_sections[s]->most && (type = scene_type_at(scene_sections[s], i)); i++)
             printf("\"%s\"\n", type->name);
     }
     const SellmeierGlass *glass;

@@ -84,7 +84,7 @@ bool scene_rows_are_sound(void)
     const SceneType *type;
     for (int s = 0; s < SCENE_SECTIONS; s++) {
         sound = kinds_agree(scene_sections[s]) && sound;
-        for (size_t i = 0; (type = scene_sections[s]->type_at(i)); i++)
+        for (size_t i = 0; (type = scene_type_at(scene_sections[s], i)); i++)
             sound = type_is_sound(scene_sections[s], type) && sound;
     }
     return sound;

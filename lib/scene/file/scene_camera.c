@@ -18,11 +18,6 @@ static const SceneType camera_type = {
     .example = "camera: {position: [0, 0, 3.9], target: [0, 0, 0], vertical_fov: 39.3}",
 };
 
-static const SceneType *camera_type_at(size_t i)
-{
-    return i == 0 ? &camera_type : NULL;
-}
-
 static bool build_camera(SceneBuilder *builder, SceneEntry *entry)
 {
     Vec3 position = scene_three(entry, "position"), target = scene_three(entry, "target");
@@ -36,8 +31,8 @@ static bool build_camera(SceneBuilder *builder, SceneEntry *entry)
     return true;
 }
 
-const SceneSection camera_section = {"camera",    "Where the picture is taken from.", 0, true, no_keys, camera_type_at,
-                                     build_camera};
+const SceneSection camera_section = {
+    "camera", "Where the picture is taken from.", 0, true, no_keys, &camera_type, NULL, build_camera};
 
 static const SceneKey render_keys[] = {
     {"width", KEY_WHOLE, "512", RANGE(1, MOST_SIDE, "pixels"), "width of the picture"},
@@ -57,11 +52,6 @@ static const SceneType render_type = {
     .example = "render: {width: 768, height: 432, samples: 16, photons: 2000000, k: 240, radius: 0.004}",
 };
 
-static const SceneType *render_type_at(size_t i)
-{
-    return i == 0 ? &render_type : NULL;
-}
-
 static bool build_render(SceneBuilder *builder, SceneEntry *entry)
 {
     builder->scene->settings = (RenderSettings){
@@ -76,4 +66,5 @@ static bool build_render(SceneBuilder *builder, SceneEntry *entry)
     return true;
 }
 
-const SceneSection render_section = {"render", "How it is rendered.", 0, false, no_keys, render_type_at, build_render};
+const SceneSection render_section = {"render", "How it is rendered.", 0,    false,
+                                     no_keys,  &render_type,          NULL, build_render};

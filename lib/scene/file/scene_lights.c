@@ -2,39 +2,29 @@
 
 #include <stdio.h>
 
-// A Lambertian surface of area A and radiance L sends out Φ = πAL. The file gives one of the two.
-static bool set_emission(SceneEntry *entry, Light *light)
+// A Lambertian surface of area A and radiance L sends out Φ = πAL. The file gives one of the two. The surface shines by a
+// material of its own, which stands after those of the file.
+static bool set_emission(SceneBuilder *builder, SceneEntry *entry, Light *light, uint32_t *material)
 {
+    Scene *scene = builder->scene;
     bool radiance = scene_given(entry, "radiance"), power = scene_given(entry, "power");
     if (radiance == power)
         return scene_fault(entry, NULL, "this light has %s; expected exactly one of radiance and power",
                            radiance ? "both radiance and power" : "neither radiance nor power");
     float power_of_radiance = PI * light->area;
-    if (radiance) {
-        light->radiance = scene_colour(entry, "radiance");
-        light->power = colour_scale(light->radiance, power_of_radiance);
-    } else {
-        light->power = scene_colour(entry, "power");
-        light->radiance = colour_scale(light->power, 1.0f / power_of_radiance);
-    }
-    float most = colour_max(light->radiance);
-    if (!(most < 1e18f && colour_max(light->power) < 1e18f))
+    light->radiance = radiance ? scene_colour(entry, "radiance")
+                               : colour_scale(scene_colour(entry, "power"), 1.0f / power_of_radiance);
+    light->power = power ? scene_colour(entry, "power") : colour_scale(light->radiance, power_of_radiance);
+    if (!(colour_max(light->radiance) < 1e18f && colour_max(light->power) < 1e18f))
         return scene_fault(entry, NULL, "this light of %g m² is too bright to reckon with; expected less power",
                            light->area);
-    return true;
-}
-
-// The light's surface shines by a material of its own, which stands after those of the file.
-static bool add_light_material(SceneBuilder *builder, const SceneEntry *entry, Colour radiance, uint32_t *material)
-{
-    Scene *scene = builder->scene;
     if (scene->material_count == MAX_MATERIALS)
         return scene_fault(entry, NULL,
                            "too many materials: each rectangle or sphere that shines counts as one; "
                            "expected at most %d",
                            MAX_MATERIALS);
     Material *own = &scene->materials[scene->material_count];
-    *own = (Material){.type = MATERIAL_LIGHT, .radiance = radiance};
+    *own = (Material){.type = MATERIAL_LIGHT, .radiance = light->radiance};
     snprintf(own->name, sizeof own->name, "light %zu", scene->light_count + 1);
     *material = (uint32_t)scene->material_count++;
     return true;
@@ -52,8 +42,7 @@ static bool build_rectangle(SceneBuilder *builder, SceneEntry *entry, Light *lig
     light->direction = vec3_scale(normal, 1.0f / light->area);
     light->primitive = (uint32_t)builder->scene->flat_count;
     Flat flat = {.origin = light->position, .edge_u = light->edge_u, .edge_v = light->edge_v};
-    return set_emission(entry, light) && add_light_material(builder, entry, light->radiance, &flat.material) &&
-           scene_add_flat(builder, flat);
+    return set_emission(builder, entry, light, &flat.material) && scene_add_flat(builder, flat);
 }
 
 static bool build_sphere(SceneBuilder *builder, SceneEntry *entry, Light *light)
@@ -63,8 +52,7 @@ static bool build_sphere(SceneBuilder *builder, SceneEntry *entry, Light *light)
     light->area = 4.0f * PI * light->radius * light->radius;
     light->primitive = (uint32_t)builder->scene->sphere_count;
     Sphere sphere = {.centre = light->position, .radius = light->radius};
-    return set_emission(entry, light) && add_light_material(builder, entry, light->radiance, &sphere.material) &&
-           scene_add_sphere(builder, sphere);
+    return set_emission(builder, entry, light, &sphere.material) && scene_add_sphere(builder, sphere);
 }
 
 // Point, spot and beam have no surface.
@@ -192,4 +180,4 @@ static bool build(SceneBuilder *builder, SceneEntry *entry)
     return true;
 }
 
-const SceneSection light_section = {"lights", "What gives light.", MAX_LIGHTS, true, type_key, type_at, build};
+const SceneSection light_section = {"lights", "What gives light.", MAX_LIGHTS, true, type_key, NULL, type_at, build};

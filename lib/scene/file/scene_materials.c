@@ -42,5 +42,5 @@ static const SceneKey keys[] = {
     {.name = NULL},
 };
 
-const SceneSection material_section = {"materials", "What surfaces do with light.", MAX_MATERIALS, false, keys, type_at,
-                                       build};
+const SceneSection material_section = {
+    "materials", "What surfaces do with light.", MAX_MATERIALS, false, keys, NULL, type_at, build};

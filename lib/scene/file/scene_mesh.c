@@ -10,42 +10,24 @@
 
 #define LARGEST_OBJ_FILE ((size_t)512 << 20) // bytes: five million triangles and more
 
-// Where scale and rotations take the three axes, and the way moved afterwards.
-typedef struct {
-    Vec3 x, y, z, translate;
-    float scale;
-} Placement;
-
-static Vec3 turned_axis(Vec3 axis, Vec3 degrees)
+// `axes`: where the rotations take x, y and z.
+static Vec3 turned(const Vec3 axes[3], Vec3 v)
 {
-    for (int i = 0; i < 3; i++)
-        axis = scene_rotate(axis, i, vec3_component(degrees, i));
-    return axis;
+    return vec3_along(vec3_along(vec3_scale(axes[0], v.x), axes[1], v.y), axes[2], v.z);
 }
 
-static Placement placement_of(SceneEntry *entry)
+static bool place_mesh(SceneEntry *entry, ObjMesh *mesh)
 {
-    Vec3 degrees = scene_three(entry, "rotate");
-    return (Placement){
-        .x = turned_axis(vec3(1, 0, 0), degrees),
-        .y = turned_axis(vec3(0, 1, 0), degrees),
-        .z = turned_axis(vec3(0, 0, 1), degrees),
-        .translate = scene_three(entry, "translate"),
-        .scale = scene_number(entry, "scale"),
-    };
-}
-
-static Vec3 turned(const Placement *placement, Vec3 v)
-{
-    return vec3_along(vec3_along(vec3_scale(placement->x, v.x), placement->y, v.y), placement->z, v.z);
-}
-
-static bool place_mesh(const SceneEntry *entry, ObjMesh *mesh, const Placement *placement)
-{
+    Vec3 degrees = scene_three(entry, "rotate"), translate = scene_three(entry, "translate");
+    float scale = scene_number(entry, "scale");
+    Vec3 axes[3] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)};
+    for (int a = 0; a < 3; a++)
+        for (int i = 0; i < 3; i++)
+            axes[a] = scene_rotate(axes[a], i, vec3_component(degrees, i));
     for (size_t i = 0; i < mesh->normal_count; i++)
-        mesh->normals[i] = turned(placement, mesh->normals[i]);
+        mesh->normals[i] = turned(axes, mesh->normals[i]);
     for (size_t i = 0; i < mesh->point_count; i++) {
-        Vec3 p = vec3_along(placement->translate, turned(placement, mesh->points[i]), placement->scale);
+        Vec3 p = vec3_along(translate, turned(axes, mesh->points[i]), scale);
         mesh->points[i] = p;
         float most = fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z)));
         if (most > (float)SCENE_LARGEST_NUMBER)
@@ -97,18 +79,6 @@ static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMe
     return true;
 }
 
-static bool add_text(SceneBuilder *builder, SceneEntry *entry, const char *text, size_t size, const char *path,
-                     uint32_t material)
-{
-    ObjMesh mesh;
-    ObjNames names = {scene_material_name, builder, builder->file.name};
-    Placement placement = placement_of(entry);
-    bool fine = obj_read_text(text, size, path, &names, &mesh, builder->file.error) &&
-                place_mesh(entry, &mesh, &placement) && add_mesh(builder, entry, &mesh, material);
-    obj_free(&mesh);
-    return fine;
-}
-
 bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
 {
     if (!builder->folder)
@@ -119,8 +89,13 @@ bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t materia
     Error unread = {""};
     size_t size = 0;
     char *text = text_read_file(path, LARGEST_OBJ_FILE, &size, &unread);
-    bool fine = text ? add_text(builder, entry, text, size, path, material)
-                     : scene_fault(entry, "file", "the mesh %s", unread.message);
+    if (!text)
+        return scene_fault(entry, "file", "the mesh %s", unread.message);
+    ObjMesh mesh;
+    ObjNames names = {scene_material_name, builder, builder->file.name};
+    bool fine = obj_read_text(text, size, path, &names, &mesh, builder->file.error) && place_mesh(entry, &mesh) &&
+                add_mesh(builder, entry, &mesh, material);
+    obj_free(&mesh);
     free(text);
     return fine;
 }

@@ -14,11 +14,16 @@ const SceneKey type_key[] = {
     {.name = NULL},
 };
 
+const SceneType *scene_type_at(const SceneSection *section, size_t i)
+{
+    return section->type_at ? section->type_at(i) : i == 0 ? section->type : NULL;
+}
+
 const SceneKey *scene_key_at(const SceneSection *section, size_t i)
 {
     const SceneType *type;
     const SceneKey *key = section->keys;
-    for (size_t t = 0; key; key = (type = section->type_at(t++)) ? type->keys : NULL)
+    for (size_t t = 0; key; key = (type = scene_type_at(section, t++)) ? type->keys : NULL)
         for (; key->name; key++)
             if (i-- == 0)
                 return key;
@@ -116,7 +121,7 @@ bool scene_complete(SceneFile *file, SceneEntry *entry, const char *path)
         return false;
     const SceneValue *type = scene_value(entry, "type");
     entry->type_number = type ? (size_t)type->number[0] : 0;
-    entry->type = scene_sections[entry->section]->type_at(entry->type_number);
+    entry->type = scene_type_at(scene_sections[entry->section], entry->type_number);
     for (size_t i = 0; i < entry->value_count; i++) {
         SceneValue *value = &file->values[entry->first_value + i];
         const SceneKey *row = row_of(entry, value->key->name);

@@ -18,11 +18,11 @@ typedef struct {
 
 typedef struct {
     const char *name, *meaning;
-    size_t most;          // entries of a list; 0: the section is a single entry
-    bool required;        // this entry, or at least one of the list
-    const SceneKey *keys; // that entries of every type have
-    // Type number i, NULL past the last. A section that is no list has one.
-    const SceneType *(*type_at)(size_t i);
+    size_t most;                           // entries of a list; 0: the section is a single entry
+    bool required;                         // this entry, or at least one of the list
+    const SceneKey *keys;                  // that entries of every type have
+    const SceneType *type;                 // the only one; NULL: the entry's `type:` says which
+    const SceneType *(*type_at)(size_t i); // then: type number i, NULL past the last
     // Makes an entry a part of the scene, and refuses what only shows in combination.
     bool (*build)(SceneBuilder *builder, SceneEntry *entry);
 } SceneSection;
@@ -32,6 +32,8 @@ extern const SceneSection *const scene_sections[SCENE_SECTIONS]; // in the order
 extern const SceneSection camera_section, render_section, material_section, light_section, shape_section;
 
 extern const SceneKey type_key[]; // of sections whose entries have nothing else in common
+
+const SceneType *scene_type_at(const SceneSection *section, size_t i);
 
 // Row number i of a section, those of every type and then each type's own; NULL past the last.
 const SceneKey *scene_key_at(const SceneSection *section, size_t i);

@@ -158,4 +158,5 @@ static bool build(SceneBuilder *builder, SceneEntry *entry)
     return kinds[entry->type_number].build(builder, entry, (uint32_t)material);
 }
 
-const SceneSection shape_section = {"shapes", "What light falls on.", MAX_SHAPES, false, type_key, type_at, build};
+const SceneSection shape_section = {"shapes", "What light falls on.", MAX_SHAPES, false, type_key, NULL, type_at,
+                                    build};

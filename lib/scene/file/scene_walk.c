@@ -125,7 +125,7 @@ static bool read_word(const SceneWalk *walk, const char *path, SceneValue *value
 
 static const char *type_name(const void *section, size_t i)
 {
-    const SceneType *type = ((const SceneSection *)section)->type_at(i);
+    const SceneType *type = scene_type_at(section, i);
     return type ? type->name : NULL;
 }
 
