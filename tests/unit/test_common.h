@@ -45,6 +45,8 @@ static inline void assert_within(double value, double expected, double tolerance
         fail_msg("%s: %.9g, expected %.9g ± %.3g", what, value, expected, tolerance);
 }
 
+#define assert_near(value, expected, tolerance) assert_within(value, expected, tolerance, #value)
+
 // Angle between two directions, degrees; exact for small angles too.
 static inline double angle_between(Vec3 a, Vec3 b)
 {
@@ -140,6 +142,19 @@ static inline void assert_chi_square(const long *counts, const double *expected,
     double deviations = chi_square_deviations(counts, expected, bins);
     if (!(deviations <= 3.0))
         fail_msg("%s: chi-square lies %.2f standard deviations above its mean", what, deviations);
+}
+
+// As many in each bin?
+static inline void assert_uniform(const long *counts, int bins, const char *what)
+{
+    enum { MOST_BINS = 1024 };
+    double expected[MOST_BINS], sum = 0.0;
+    assert_true(bins <= MOST_BINS);
+    for (int i = 0; i < bins; i++)
+        sum += (double)counts[i];
+    for (int i = 0; i < bins; i++)
+        expected[i] = sum / bins;
+    assert_chi_square(counts, expected, bins, what);
 }
 
 // ---- scenes and photons

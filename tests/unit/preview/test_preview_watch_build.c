@@ -5,41 +5,27 @@
 // A build that failed yesterday.
 static int set_up_behind(void **state)
 {
-    char path[512];
     Error error = {""};
     if (set_up(state) != 0)
         return -1;
     watch_stop(watch);
     save(STEP ".c", "wrong"); // newer than its object
     save(NEXT ".c", "new");   // which has none
-    char source[512], objects[512];
-    path_to(source, sizeof source, "code of a student", ".");
-    path_to(objects, sizeof objects, "objects", ".");
-    path_to(path, sizeof path, "objects", NEXT ".so");
-    watch = watch_start(source, objects, command, &error);
-    return watch && access(path, F_OK) != 0 ? 0 : -1;
+    watch = watch_start(path_to(SOURCES, "."), path_to(OBJECTS, "."), command, &error);
+    return watch && access(path_to(OBJECTS, NEXT ".so"), F_OK) != 0 ? 0 : -1;
 }
 
 TEST_BOTH_WAYS(errors_are_told)
 {
-    save(STEP ".c", "good");
-    assert_int_equal(next_event(5.0), WATCH_BUILT);
-    save(STEP ".c", "wrong");
-    assert_int_equal(next_event(5.0), WATCH_FAILED);
-    assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c:12:5: error: expected ';'");
+    assert_built(STEP ".c", "good");
+    assert_fails(STEP ".c", "wrong", "1.3_scatter_diffuse.c:12:5: error: expected ';'");
     assert_object(STEP ".so", "good");
-    save(STEP ".c", "linker");
-    assert_int_equal(next_event(5.0), WATCH_FAILED);
-    assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c: ld: cannot find -lmissing");
-    save(STEP ".c", "strange"); // the warning is the cause
-    assert_int_equal(next_event(5.0), WATCH_FAILED);
-    assert_string_equal(watch_message(watch),
-                        "1.3_scatter_diffuse.c:3:9: warning: implicit declaration of function 'f'");
-    save(STEP ".c", "silent");
-    assert_int_equal(next_event(5.0), WATCH_FAILED);
-    assert_string_equal(watch_message(watch), "1.3_scatter_diffuse.c: the compiler failed and said nothing");
-    save(STEP ".c", "better");
-    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_fails(STEP ".c", "linker", "1.3_scatter_diffuse.c: ld: cannot find -lmissing");
+    assert_fails(
+        STEP ".c", "strange",
+        "1.3_scatter_diffuse.c:3:9: warning: implicit declaration of function 'f'"); // the warning is the cause
+    assert_fails(STEP ".c", "silent", "1.3_scatter_diffuse.c: the compiler failed and said nothing");
+    assert_built(STEP ".c", "better");
     assert_object(STEP ".so", "better");
 }
 
@@ -63,33 +49,26 @@ TEST_BOTH_WAYS(saves_queue_and_restart)
 
 TEST_BOTH_WAYS(warnings_are_told)
 {
-    save(STEP ".c", "warned");
-    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_built(STEP ".c", "warned");
     assert_string_equal(watch_warning(watch), "1.3_scatter_diffuse.c:7:1: warning: no return statement");
-    save(STEP ".c", "fine");
-    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_built(STEP ".c", "fine");
     assert_string_equal(watch_warning(watch), "");
 }
 
 // As a compiler writes it: the watched folder has blanks in its name.
 TEST_BOTH_WAYS(a_header_is_saved_for_its_steps)
 {
-    char path[512];
     save("1_diffuse_photon_map/mine.h", "one");
     assert_int_equal(next_event(0.3), WATCH_NOTHING); // nobody reads it
-    save(STEP ".c", "good");
-    assert_int_equal(next_event(5.0), WATCH_BUILT);
-    path_to(path, sizeof path, "objects", STEP ".d");
-    FILE *stream = fopen(path, "w");
+    assert_built(STEP ".c", "good");
+    FILE *stream = fopen(path_to(OBJECTS, STEP ".d"), "w");
     assert_non_null(stream);
     fprintf(stream, "x.so: \\\n %s/code\\ of\\ a\\ student/" STEP ".c lib/other.h \\\n", folder);
     fprintf(stream, " %s/code\\ of\\ a\\ student/1_diffuse_photon_map/mine.h\n\nlib/other.h:\n", folder);
     fclose(stream);
-    save(STEP ".c", "better"); // reads it from now on
-    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_built(STEP ".c", "better"); // reads it from now on
     assert_int_equal(next_event(1.3), WATCH_NOTHING);
-    save("1_diffuse_photon_map/mine.h", "two times");
-    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_built("1_diffuse_photon_map/mine.h", "two times");
 }
 
 TEST_WITH(what_is_behind_is_built_at_the_start, set_up_behind, tear_down, NULL)
@@ -102,7 +81,6 @@ TEST_WITH(what_is_behind_is_built_at_the_start, set_up_behind, tear_down, NULL)
     assert_object(STEP ".so", "before");
     assert_string_equal(watch_step(watch)->id, "1.4");
     assert_string_equal(watch_broken(watch), "1.3_scatter_diffuse.c:12:5: error: expected ';'");
-    save(STEP ".c", "mended");
-    assert_int_equal(next_event(5.0), WATCH_BUILT);
+    assert_built(STEP ".c", "mended");
     assert_string_equal(watch_broken(watch), "");
 }

@@ -15,16 +15,22 @@
 static char folder[64];
 static Watch *watch;
 
-static inline void path_to(char *path, size_t size, const char *part, const char *file)
+#define SOURCES "code of a student"
+#define OBJECTS "objects"
+
+// Good until the fourth call from here.
+static inline const char *path_to(const char *part, const char *file)
 {
-    snprintf(path, size, "%s/%s/%s", folder, part, file);
+    static char paths[4][512];
+    static int last;
+    last = (last + 1) % 4;
+    snprintf(paths[last], sizeof paths[last], "%s/%s%s%s", folder, part, *file ? "/" : "", file);
+    return paths[last];
 }
 
 static inline void write_file(const char *part, const char *file, const char *text)
 {
-    char path[512];
-    path_to(path, sizeof path, part, file);
-    FILE *stream = fopen(path, "w");
+    FILE *stream = fopen(path_to(part, file), "w");
     assert_non_null(stream);
     fputs(text, stream);
     fclose(stream);
@@ -32,7 +38,7 @@ static inline void write_file(const char *part, const char *file, const char *te
 
 static inline void save(const char *file, const char *text)
 {
-    write_file("code of a student", file, text);
+    write_file(SOURCES, file, text);
 }
 
 // The next event but WATCH_BUILDING; WATCH_NOTHING when none comes in time.
@@ -50,9 +56,8 @@ static inline WatchEvent next_event(double seconds)
 // What the built object holds: the command copies the source, unless it says "wrong".
 static inline void assert_object(const char *file, const char *expected)
 {
-    char path[512], text[64] = "";
-    path_to(path, sizeof path, "objects", file);
-    FILE *stream = fopen(path, "r");
+    char text[64] = "";
+    FILE *stream = fopen(path_to(OBJECTS, file), "r");
     assert_true((stream != NULL) == (expected != NULL));
     if (!stream)
         return;
@@ -60,6 +65,20 @@ static inline void assert_object(const char *file, const char *expected)
     text[size] = '\0';
     fclose(stream);
     assert_string_equal(text, expected);
+}
+
+// What comes of a save.
+static inline void assert_built(const char *file, const char *text)
+{
+    save(file, text);
+    assert_int_equal(next_event(5.0), WATCH_BUILT);
+}
+
+static inline void assert_fails(const char *file, const char *text, const char *message)
+{
+    save(file, text);
+    assert_int_equal(next_event(5.0), WATCH_FAILED);
+    assert_string_equal(watch_message(watch), message);
 }
 
 static const char command[] =
@@ -76,31 +95,19 @@ static const char command[] =
 
 static inline int set_up(void **state)
 {
-    char path[512];
     Error error = {""};
     strcpy(folder, "/tmp/photonlab_watch_XXXXXX");
     if (!mkdtemp(folder))
         return -1;
-    path_to(path, sizeof path, "code of a student", "");
-    mkdir(path, 0700);
-    path_to(path, sizeof path, "code of a student", "1_diffuse_photon_map");
-    mkdir(path, 0700);
+    for (int i = 0; i < 4; i++)
+        mkdir(path_to(i < 2 ? SOURCES : OBJECTS, i % 2 ? "1_diffuse_photon_map" : ""), 0700);
     save(STEP ".c", "before");
-    path_to(path, sizeof path, "objects", "");
-    mkdir(path, 0700);
-    path_to(path, sizeof path, "objects", "1_diffuse_photon_map");
-    mkdir(path, 0700);
-    write_file("objects", STEP ".so", "before");
+    write_file(OBJECTS, STEP ".so", "before");
     if (*state && strcmp(*state, "times") == 0)
         setenv("PHOTONLAB_WATCH", "times", 1);
     else
         unsetenv("PHOTONLAB_WATCH");
-    char source[512], objects[512];
-    path_to(source, sizeof source, "code of a student", "");
-    source[strlen(source) - 1] = '\0';
-    path_to(objects, sizeof objects, "objects", "");
-    objects[strlen(objects) - 1] = '\0';
-    watch = watch_start(source, objects, command, &error);
+    watch = watch_start(path_to(SOURCES, ""), path_to(OBJECTS, ""), command, &error);
     return watch ? 0 : -1;
 }
 

@@ -27,6 +27,16 @@ static inline Bvh *build(void)
     return own_bvh(bvh);
 }
 
+static inline bool meets(const Bvh *bvh, const Ray *ray, BvhHit *hit)
+{
+    return bvh_closest(bvh, ray, 0.0f, INFINITY, hit);
+}
+
+static inline bool is_blocked(const Bvh *bvh, const Ray *ray)
+{
+    return bvh_occluded(bvh, ray, 0.0f, INFINITY, NO_PRIMITIVE);
+}
+
 static inline float between(Rng *rng, float low, float high)
 {
     return low + (high - low) * rng_float(rng);

@@ -162,6 +162,6 @@ TEST(test_all_in_a_plane)
     Bvh *bvh = build();
     for (int i = 0; i < 1000; i++) {
         Ray ray = {vec3(between(&rng, -2, 2), 0.25f, -2), vec3(rng_float(&rng), 0, 1), NO_PRIMITIVE};
-        assert_false(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE)); // a flat has no thickness
+        assert_false(is_blocked(bvh, &ray)); // a flat has no thickness
     }
 }

@@ -11,8 +11,8 @@ TEST(test_nothing)
     Bvh *bvh = build();
     Ray ray = {vec3(0, 0, 0), vec3(0, 0, 1), NO_PRIMITIVE};
     BvhHit hit;
-    assert_false(bvh_closest(bvh, &ray, 0.0f, INFINITY, &hit));
-    assert_false(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE));
+    assert_false(meets(bvh, &ray, &hit));
+    assert_false(is_blocked(bvh, &ray));
     assert_true(bvh_bounds(bvh).low.x > bvh_bounds(bvh).high.x);
     bvh_free(NULL);
 }
@@ -33,9 +33,9 @@ TEST(test_along_faces)
                 d[axis] = 1;
                 Ray ray = {vec3(o[0], o[1], o[2]), vec3(d[0], d[1], d[2]), NO_PRIMITIVE};
                 BvhHit hit;
-                assert_true(bvh_closest(bvh, &ray, 0.0f, INFINITY, &hit));
+                assert_true(meets(bvh, &ray, &hit));
                 assert_float_equal(hit.t, 2.75f, 1e-5);
-                assert_true(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE));
+                assert_true(is_blocked(bvh, &ray));
             }
 }
 
@@ -58,7 +58,7 @@ TEST(test_leaving_flats)
         if (vec3_dot(normal, middle) * vec3_dot(normal, ray.direction) < 0)
             ray.direction = vec3_negate(ray.direction);
         BvhHit hit;
-        assert_true(bvh_closest(bvh, &ray, 0.0f, INFINITY, &hit));
+        assert_true(meets(bvh, &ray, &hit));
         assert_int_not_equal(hit.primitive, wall);
     }
 }
@@ -78,8 +78,8 @@ TEST(test_leaving_spheres)
         Vec3 o = vec3_sub(ray.origin, shapes.spheres[0].centre);
         float t = -2 * vec3_dot(o, d) / vec3_dot(d, d);
         BvhHit hit = {0};
-        assert_int_equal(bvh_closest(bvh, &ray, 0.0f, INFINITY, &hit), t > 0);
-        assert_int_equal(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE), t > 0);
+        assert_int_equal(meets(bvh, &ray, &hit), t > 0);
+        assert_int_equal(is_blocked(bvh, &ray), t > 0);
         if (t > 0)
             assert_float_equal(hit.t, t, 1e-5 * t);
         assert_false(bvh_occluded(bvh, &ray, 0.0f, INFINITY, 0));
@@ -95,10 +95,10 @@ TEST(test_sphere_precision)
     Bvh *bvh = build();
     BvhHit hit = {0};
     Ray far = {vec3(1000, 0.005f, 0), vec3(-1, 0, 0), NO_PRIMITIVE};
-    assert_true(bvh_closest(bvh, &far, 0.0f, INFINITY, &hit));
+    assert_true(meets(bvh, &far, &hit));
     assert_float_equal(hit.t, 1000 - sqrt(0.01 * 0.01 - 0.005 * 0.005), 1e-4);
     Ray near = {vec3(0, -9, 0), vec3(0.6f, -0.8f, 0), NO_PRIMITIVE};
-    assert_true(bvh_closest(bvh, &near, 0.0f, INFINITY, &hit));
+    assert_true(meets(bvh, &near, &hit));
     assert_float_equal(hit.t, 1.25, 0.02);
     assert_int_equal(hit.primitive, 1);
 }
@@ -111,7 +111,7 @@ TEST(test_interval_length_and_except)
     Bvh *bvh = build();
     Ray ray = {vec3(0, 0, 0), vec3(0, 0, 1), NO_PRIMITIVE};
     BvhHit hit;
-    assert_true(bvh_closest(bvh, &ray, 0.0f, INFINITY, &hit));
+    assert_true(meets(bvh, &ray, &hit));
     assert_true(hit.t == 2.0f && hit.primitive == 0 && hit.u == 0.5f && hit.v == 0.5f);
     assert_true(bvh_closest(bvh, &ray, 2.0f, INFINITY, &hit));
     assert_true(hit.t == 4.0f && hit.primitive == 1 && hit.u == 0.25f && hit.v == 0.25f);
@@ -120,15 +120,15 @@ TEST(test_interval_length_and_except)
     assert_false(bvh_occluded(bvh, &ray, 0.0f, 4.0f, 0));
     assert_true(bvh_occluded(bvh, &ray, 0.0f, 4.1f, 0));
     ray.direction = vec3(0, 0, 8);
-    assert_true(bvh_closest(bvh, &ray, 0.0f, INFINITY, &hit));
+    assert_true(meets(bvh, &ray, &hit));
     assert_true(hit.t == 0.25f);
     ray.from = 0;
-    assert_true(bvh_closest(bvh, &ray, 0.0f, INFINITY, &hit));
+    assert_true(meets(bvh, &ray, &hit));
     assert_true(hit.t == 0.5f);
     ray.direction = vec3(0.26f, 0.26f, 1); // beyond the triangle's long edge …
-    assert_false(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE));
+    assert_false(is_blocked(bvh, &ray));
     ray.direction = vec3(0.24f, 0.24f, 1); // … and just before it
-    assert_true(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE));
+    assert_true(is_blocked(bvh, &ray));
 }
 
 // The same hits, bit by bit, from trees built by one thread and by several.
@@ -150,7 +150,7 @@ TEST(test_threads)
         BvhHit a, b;
         memset(&a, 0, sizeof a);
         memset(&b, 0, sizeof b);
-        assert_int_equal(bvh_closest(one, &ray, 0.0f, INFINITY, &a), bvh_closest(several, &ray, 0.0f, INFINITY, &b));
+        assert_int_equal(meets(one, &ray, &a), meets(several, &ray, &b));
         assert_memory_equal(&a, &b, sizeof a);
     }
 }
@@ -171,12 +171,12 @@ TEST(test_unsound_rays)
             v[axis] = bad[i];
             Ray ray = {vec3(v[0], v[1], v[2]), vec3(v[3], v[4], v[5]), NO_PRIMITIVE};
             BvhHit hit;
-            assert_false(bvh_closest(bvh, &ray, 0.0f, INFINITY, &hit));
-            assert_false(bvh_occluded(bvh, &ray, 0.0f, INFINITY, NO_PRIMITIVE));
+            assert_false(meets(bvh, &ray, &hit));
+            assert_false(is_blocked(bvh, &ray));
         }
     Ray still = {vec3(0.1f, 0.1f, -1.0f), vec3(0, 0, 0), NO_PRIMITIVE};
     BvhHit hit;
-    assert_false(bvh_closest(bvh, &still, 0.0f, INFINITY, &hit));
+    assert_false(meets(bvh, &still, &hit));
 }
 
 TEST(test_bounds)

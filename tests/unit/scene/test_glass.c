@@ -1,9 +1,7 @@
 // The glass catalogue against figures computed on their own from the same Sellmeier coefficients
 // (refractiveindex.info), and Cauchy's formula through the same points.
 #include "scene/glass_catalogue.h"
-#include "unit/test.h"
-
-#include <math.h>
+#include "unit/test_common.h"
 
 static const struct {
     const char *name;
@@ -20,12 +18,6 @@ static const struct {
     {"water_20C", 1.331513, 1.333403, 1.337492, 1.332695, 1.334716, 1.338712, 55.760, 1.324334, 0.0031311},
 };
 enum { GLASSES = sizeof table / sizeof table[0] };
-
-static void assert_near(double value, double expected, double tolerance)
-{
-    if (!(fabs(value - expected) <= tolerance))
-        fail_msg("%.9g is not within %g of %.9g", value, tolerance, expected);
-}
 
 TEST(test_indices)
 {

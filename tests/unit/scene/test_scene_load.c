@@ -1,24 +1,15 @@
 // What comes of a scene file that is right: settings, camera, materials, lights. Runs from the top folder.
-#include "unit/scene/scene_from_text.h"
-
-static Scene *load_file(const char *path)
-{
-    Error error = {""};
-    Scene *scene = scene_load(path, &error);
-    if (!scene)
-        fail_msg("%s", error.message);
-    return scene;
-}
+#include "unit/scene/scene_parts.h"
 
 TEST(test_settings)
 {
-    Scene *scene = load_text(CAMERA LIGHT, NULL);
+    Scene *scene = scene_in_folder(CAMERA LIGHT, NULL);
     RenderSettings s = scene->settings;
     assert_true(s.width == 512 && s.height == 512 && s.samples == 4 && s.photons == 500000 && s.k == 100 &&
                 s.radius == 0 && s.depth == 32);
-    scene = load_text(CAMERA LIGHT
-                      "render: {width: 3, height: 4, samples: 5, photons: 600000000, k: 7, radius: 0.5, depth: 9}\n",
-                      NULL);
+    scene = scene_in_folder(
+        CAMERA LIGHT "render: {width: 3, height: 4, samples: 5, photons: 600000000, k: 7, radius: 0.5, depth: 9}\n",
+        NULL);
     s = scene->settings;
     assert_true(s.width == 3 && s.height == 4 && s.samples == 5 && s.photons == 600000000 && s.k == 7 &&
                 s.radius == 0.5f && s.depth == 9);
@@ -26,7 +17,7 @@ TEST(test_settings)
 
 TEST(test_camera)
 {
-    Scene *scene = load_text(CAMERA LIGHT, NULL);
+    Scene *scene = scene_in_folder(CAMERA LIGHT, NULL);
     // The formula of the reference images: ((2(i+½)/W − 1)·T, (1 − 2(j+½)/W)·T, −1) with T = tan(fov/2).
     double t = tan(39.3077 / 2 * 3.14159265358979 / 180);
     for (int j = 0; j < 8; j++)
@@ -43,7 +34,7 @@ TEST(test_camera)
 
 TEST(test_materials)
 {
-    Scene *scene = load_text(
+    Scene *scene = scene_in_folder(
         CAMERA LIGHT "materials:\n"
                      "  - {name: a, type: diffuse, reflectance: [0.7, 0.6, 0.5]}\n"
                      "  - {name: b, type: glossy, diffuse: [0.3, 0.2, 0.1], specular: [0.7, 0.5, 0.5], exponent: 50}\n"
@@ -73,19 +64,19 @@ TEST(test_materials)
 TEST(test_lights)
 {
     const double pi = 3.14159265358979;
-    Scene *scene =
-        load_text(CAMERA WHITE
-                  "lights:\n"
-                  "  - {type: sphere, centre: [1, 2, 3], radius: 0.5, radiance: [1, 2, 3]}\n"
-                  "  - {type: rectangle, corner: [0, 1, 0], edge_u: [2, 0, 0], edge_v: [1, 0, 3], power: [6, 12, 18]}\n"
-                  "  - {type: point, position: [4, 5, 6], power: [1, 2, 3]}\n"
-                  "  - {type: spot, position: [0, 3, 0], target: [0, 1, 0], angle: 60, power: [1, 1, 1]}\n"
-                  "  - {type: beam, position: [0, 3, 4], target: [0, 0, 0], radius: 0.01, power: [1, 0, 0]}\n"
-                  "  - {type: sphere, centre: [1, 2, 3], radius: 2, power: [1, 1, 1]}\n"
-                  "shapes:\n"
-                  "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: white}\n"
-                  "  - {type: rectangle, corner: [0, 0, 0], edge_u: [1, 0, 0], edge_v: [0, 1, 0], material: white}\n",
-                  NULL);
+    Scene *scene = scene_in_folder(
+        CAMERA WHITE
+        "lights:\n"
+        "  - {type: sphere, centre: [1, 2, 3], radius: 0.5, radiance: [1, 2, 3]}\n"
+        "  - {type: rectangle, corner: [0, 1, 0], edge_u: [2, 0, 0], edge_v: [1, 0, 3], power: [6, 12, 18]}\n"
+        "  - {type: point, position: [4, 5, 6], power: [1, 2, 3]}\n"
+        "  - {type: spot, position: [0, 3, 0], target: [0, 1, 0], angle: 60, power: [1, 1, 1]}\n"
+        "  - {type: beam, position: [0, 3, 4], target: [0, 0, 0], radius: 0.01, power: [1, 0, 0]}\n"
+        "  - {type: sphere, centre: [1, 2, 3], radius: 2, power: [1, 1, 1]}\n"
+        "shapes:\n"
+        "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: white}\n"
+        "  - {type: rectangle, corner: [0, 0, 0], edge_u: [1, 0, 0], edge_v: [0, 1, 0], material: white}\n",
+        NULL);
     const Light *l = scene->lights;
     assert_int_equal(scene->light_count, 6);
     assert_near(l[0].area, pi, 1e-6); // 4πr² with r = ½
@@ -120,7 +111,7 @@ TEST(test_box_scenes)
     const char *paths[] = {"scenes/box_diffuse.yaml", "scenes/box_glass.yaml"};
     const MaterialType left[] = {MATERIAL_DIFFUSE, MATERIAL_MIRROR}, right[] = {MATERIAL_DIFFUSE, MATERIAL_GLASS};
     for (int i = 0; i < 2; i++) {
-        Scene *scene = load_file(paths[i]);
+        Scene *scene = scene_from_file(paths[i]);
         Hit hit;
         assert_near(scene->lights[0].power.g, 8.2373, 1e-4);
         // In the reference images at 512 pixels, columns 204 to 307 and rows 56 to 89 hold the light.
@@ -137,7 +128,7 @@ TEST(test_box_scenes)
 // No ray into the room gets out or meets a wall from behind; red is on the left, as in the photograph.
 TEST(test_cornell_box)
 {
-    Scene *scene = load_file("scenes/cornell_box.yaml");
+    Scene *scene = scene_from_file("scenes/cornell_box.yaml");
     Hit hit;
     assert_string_equal(seen_at(scene, 0.05f, 0.5f, &hit)->name, "red");
     assert_string_equal(seen_at(scene, 0.95f, 0.5f, &hit)->name, "green");

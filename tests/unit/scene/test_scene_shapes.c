@@ -1,5 +1,5 @@
 // Shapes and meshes as flats of a scene: closed, turned and placed as the file says.
-#include "unit/scene/scene_from_text.h"
+#include "unit/scene/scene_parts.h"
 #include "unit/scene/temporary_folder.h"
 
 #include <stdio.h>
@@ -10,7 +10,7 @@ static Scene *load_shape(const char *shape)
 {
     char text[2000];
     snprintf(text, sizeof text, CAMERA LIGHT WHITE "shapes:\n  - {%s, material: white}\n", shape);
-    return load_text(text, NULL);
+    return scene_in_folder(text, NULL);
 }
 
 // By Gauss: a third of the flux of the position vector through the surface. Positive when all normals point
@@ -75,7 +75,7 @@ static Scene *load_mesh(const char *obj, const char *keys)
     fclose(file);
     snprintf(text, sizeof text,
              CAMERA LIGHT WHITE "  - {name: shiny, type: mirror}\nshapes:\n  - {type: mesh, file: mesh.obj%s}\n", keys);
-    Scene *scene = load_text(text, folder);
+    Scene *scene = scene_in_folder(text, folder);
     unlink(path);
     return scene;
 }
