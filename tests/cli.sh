@@ -81,27 +81,14 @@ if grep -aq "element vertex $stored" "$work/p.ply"; then good "PLY and CSV hold 
 # A student's step plays; the rest is the reference's. A stub counts as not started, a variable called todo does not.
 stage1=$work/code/1_diffuse_photon_map
 mkdir -p "$stage1" "$work/empty"
-# student STEP: reads a function's source and builds it.
+# student STEP BODY: the step's function, as its solution begins, with this in it.
 student() {
-    { echo '#include "photonlab.h"'; cat; } >"$work/step.c"
+    printf '#include "photonlab.h"\n%s\n{ %s }\n' \
+        "$(grep -m1 "^[A-Za-z0-9 ]* ${1#*_}(" "solutions/1_diffuse_photon_map/$1.c")" "$2" >"$work/step.c"
     ${CC:-cc} -std=c99 -g -shared -fPIC -Ilib "$work/step.c" -o "$stage1/$1.so"
 }
-student 1.4_russian_roulette <<'C'
-bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
-{
-    float todo = rng_float(rng);
-    (void)power, (void)reflectance;
-    return todo > 2.0f;
-}
-C
-student 1.1_reflect <<'C'
-Vec3 reflect(Vec3 direction, Vec3 normal)
-{
-    (void)normal;
-    todo("1.1");
-    return direction;
-}
-C
+student 1.4_russian_roulette 'float todo = rng_float(rng); (void)power, (void)reflectance; return todo > 2.0f;'
+student 1.1_reflect '(void)normal; todo("1.1"); return direction;'
 play="$program render scenes/box_diffuse.yaml $quick -o $work/c.png --code $work/code"
 expect 0 "your code plays: 1.4" $play --json
 ok "photons that all die leave no indirect light" grep -q '"photons_stored":0,' "$work/out"
@@ -112,12 +99,7 @@ expect 1 "is no directory of steps" "$program" render $scene $quick -o "$work/c.
 expect 1 "is no directory of steps" "$program" render $scene $quick -o "$work/c.png" --code "$work/a.png"
 
 # The loop of step 1.5 plays by itself while there is no 3.4.
-student 1.5_trace_photon <<'C'
-void trace_photon(PhotonTrace *trace, Photon photon, Rng *rng)
-{
-    (void)trace, (void)photon, (void)rng;
-}
-C
+student 1.5_trace_photon '(void)trace, (void)photon, (void)rng;'
 expect 0 "your code plays: 1.4 1.5" $play
 expect 0 "built, but not played (see --steps): 1.5" $play --steps 3.4
 rm "$stage1/1.5_trace_photon.so"
@@ -133,40 +115,16 @@ done
 check "$accused == 0" "few photons of right code: $accused of 50 runs accused"
 
 # What a wrong step does is said.
-student 1.4_russian_roulette <<'C'
-bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
-{
-    *power = colour_scale(colour_mul(*power, reflectance), 2.0f);
-    return rng_float(rng) < 0.9f;
-}
-C
+student 1.4_russian_roulette '*power = colour_scale(colour_mul(*power, reflectance), 2.0f); return rng_float(rng) < 0.9f;'
 expect 0 "or does not fit its directions: look at your step 1.4 (russian_roulette)" $play
-student 1.4_russian_roulette <<'C'
-bool russian_roulette(Colour *power, Colour reflectance, Rng *rng)
-{
-    (void)reflectance;
-    *power = colour_grey(NAN);
-    return rng_float(rng) < 0.7f;
-}
-C
+student 1.4_russian_roulette '(void)reflectance; *power = colour_grey(NAN); return rng_float(rng) < 0.7f;'
 expect 1 "one of your steps may have returned NaN" $play
 rm "$stage1/1.4_russian_roulette.so"
-student 1.3_scatter_diffuse <<'C'
-Vec3 scatter_diffuse(Vec3 normal, Rng *rng)
-{
-    (void)rng;
-    return vec3_scale(normal, 2.0f);
-}
-C
+student 1.3_scatter_diffuse '(void)rng; return vec3_scale(normal, 2.0f);'
 expect 0 "at the light: your step 1.3 (scatter_diffuse) gave a direction whose length is 2, not 1" $play
 rm "$stage1/1.3_scatter_diffuse.so"
 
-student 1.1_reflect <<'C'
-Vec3 reflect(Vec3 direction, Vec3 normal)
-{
-    return vec3_scale(normal, vec3_dot(direction, normal) * NAN);
-}
-C
+student 1.1_reflect 'return vec3_scale(normal, vec3_dot(direction, normal) * NAN);'
 expect 0 "of them at a mirror: your step 1.1 (reflect) gave a direction whose length is no number (NaN), not 1" \
     "$program" photons $scene --photons 2000 -o "$work/c.ply" --code "$work/code"
 rm "$stage1/1.1_reflect.so"

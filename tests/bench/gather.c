@@ -20,13 +20,6 @@ typedef struct {
 
 typedef Sums (*Measure)(const Work *work, size_t query, NearPhoton *near);
 
-typedef struct {
-    Vec3 point, normal;
-    float radius, per_radius;
-    size_t found;
-    Colour sum;
-} Tally;
-
 static Vec3 from_array(const float v[3])
 {
     return vec3(v[0], v[1], v[2]);
@@ -40,32 +33,20 @@ static Sums measure_nearest(const Work *work, size_t query, NearPhoton *near)
 }
 
 // Cone filter (Jensen 1996) and side test, as in an estimate of fixed radius.
-static inline void tally_add(Tally *tally, const StoredPhoton *photon, float distance2)
-{
-    tally->found++;
-    if (!stored_photon_on_side(photon, tally->normal))
-        return;
-    float weight = 1.0f - sqrtf(distance2) * tally->per_radius;
-    tally->sum = colour_add(tally->sum, colour_scale(photon->power, weight));
-}
-
-static Tally tally_start(const Work *work, size_t query)
-{
-    const BenchQuery *q = &work->queries[query];
-    return (Tally){.point = from_array(q->position),
-                   .normal = from_array(q->normal),
-                   .radius = work->radius,
-                   .per_radius = 1.0f / work->radius};
-}
-
 static Sums measure_within(const Work *work, size_t query, NearPhoton *near)
 {
-    Tally tally = tally_start(work, query);
+    const BenchQuery *at = &work->queries[query];
+    Vec3 normal = from_array(at->normal);
+    Colour sum = {0};
+    float per_radius = 1.0f / work->radius;
     float r2 = work->radius * work->radius;
-    size_t found = photon_map_nearest(work->map, tally.point, BENCH_MAX_K, &r2, near);
+    size_t found = photon_map_nearest(work->map, from_array(at->position), BENCH_MAX_K, &r2, near);
     for (size_t i = 0; i < found; i++)
-        tally_add(&tally, near[i].photon, near[i].distance2);
-    return (Sums){0.0, (double)tally.found, (double)colour_sum(tally.sum)};
+        if (stored_photon_on_side(near[i].photon, normal)) {
+            float weight = 1.0f - sqrtf(near[i].distance2) * per_radius;
+            sum = colour_add(sum, colour_scale(near[i].photon->power, weight));
+        }
+    return (Sums){0.0, (double)found, (double)colour_sum(sum)};
 }
 
 // Thousand queries a second, the median of all repetitions.

@@ -59,8 +59,3 @@ static bool engine_occluded(const BenchRay *bench_ray)
     Ray ray = to_ray(bench_ray);
     return bvh_occluded(engine_bvh, &ray, BENCH_T_MIN, bench_ray->t_max, NO_PRIMITIVE);
 }
-
-int main(int argc, char **argv)
-{
-    return bench_main(argc, argv);
-}

@@ -1,5 +1,4 @@
-// Meshes, rays and the clock for the ray benchmarks. Each program names its engine by three functions and
-// calls bench_main:
+// Meshes, rays and the clock for the ray benchmarks. Each program names its engine by these functions:
 //   engine_build(mesh, threads) — seconds are measured around it; engine_closest(ray) — distance, or −1;
 //   engine_occluded(ray).
 #ifndef PHOTONLAB_BENCH_RAYS_COMMON_H
@@ -214,7 +213,7 @@ static void run_rays(const char *name, const BenchRay *rays, size_t count, bool 
     free(times);
 }
 
-static int bench_main(int argc, char **argv)
+int main(int argc, char **argv)
 {
     bool box = argc > 1 && strcmp(argv[1], "box") == 0;
     if (argc < 3 || (!box && strcmp(argv[1], "mesh") != 0)) {

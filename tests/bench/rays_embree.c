@@ -71,8 +71,3 @@ static bool engine_occluded(const BenchRay *bench_ray)
     rtcOccluded1(engine_scene, &context, &query);
     return query.tfar < 0.0f;
 }
-
-int main(int argc, char **argv)
-{
-    return bench_main(argc, argv);
-}

@@ -6,7 +6,6 @@
 #include <float.h>
 #include <math.h>
 #include <signal.h>
-#include <stdio.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -5,8 +5,6 @@
 #include "unit/image/png_builder.h"
 #include "unit/test.h"
 
-#include <string.h>
-
 // ---- PNG files that are right ----
 
 typedef struct {

@@ -9,8 +9,6 @@
 #include "photons/photon_map.h"
 #include "unit/test.h"
 
-#include <stdlib.h>
-
 enum { PHOTONS = 500, TRIALS = 10000, MOST_K = 50 };
 
 // What a photon at distance² u (in units of r²) adds to the estimate, apart from the factor 1/(πr²).

@@ -1,8 +1,6 @@
 // Physics by the book, through real photon tracing: the prism and the rainbow. The ring: test_ring.c.
 #include "unit/test_common.h"
 
-#include <stdio.h>
-
 // A 60° prism of N-SF11 inside a black sphere; a beam meets the middle of its left face at `incidence`
 // degrees to that face's normal. The prism stands along y; its base, at z > 0, is what light is bent towards.
 static Scene *prism_scene(double incidence)

@@ -1,8 +1,6 @@
 // White stays white: what glass may do to colour, and how the loop (step 1.5) and the recursion (3.4) agree.
 #include "unit/test_common.h"
 
-#include <stdio.h>
-
 // Light falls straight through four panes of the glass `material` into a black hemisphere of walls behind
 // them.
 static Scene *panes(const char *glass)

@@ -6,7 +6,6 @@
 #include "preview/run/broker.h"
 #include "unit/test_common.h"
 
-#include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -68,10 +67,12 @@ static inline void build_faults(const Fault *faults, size_t count)
 
 // ---- runs
 
-static inline RunRequest photons_request(const char *name, char *code, size_t size)
+// Of this step's folder, or of the reference alone; good until the next.
+static inline RunRequest photons_request(const char *name)
 {
+    static char code[1024];
     if (name)
-        snprintf(code, size, "%s/%s", folder, name);
+        snprintf(code, sizeof code, "%s/%s", folder, name);
     return (RunRequest){.kind = RUN_PHOTONS, .code = name ? code : NULL, .seed = 7, .photons = 4000, .recorded = 50};
 }
 
@@ -117,8 +118,7 @@ static inline void check_photons(const Recording *recording, const PhotonPass *p
 
 static inline void good_run(const char *what)
 {
-    char code[1024];
-    RunRequest request = photons_request("good", code, sizeof code);
+    RunRequest request = photons_request("good");
     PhotonPass pass = pass_of(&request);
     Run *run = start(&request);
     RunStatus status = finish(run);

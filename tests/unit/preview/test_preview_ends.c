@@ -36,10 +36,9 @@ static int count_workers(void)
 
 TEST(nothing_is_left_of_200_runs)
 {
-    char code[1024];
     int before = count_files();
     for (int i = 0; i < 200; i++) {
-        RunRequest request = photons_request(i % 5 ? "endless" : NULL, code, sizeof code);
+        RunRequest request = photons_request(i % 5 ? "endless" : NULL);
         Run *run = start(&request);
         if (i % 2)
             run_wait(run, 0.001);
@@ -81,9 +80,8 @@ TEST(the_helper_ends_with_the_window)
     assert_int_equal(pipe(told), 0);
     pid_t window = fork();
     if (window == 0) {
-        char code[1024];
         Broker *own = broker_start(scene, NULL, NULL);
-        RunRequest request = photons_request("endless", code, sizeof code);
+        RunRequest request = photons_request("endless");
         Run *run = own ? run_start(own, &request, NULL) : NULL;
         long pids[2] = {own ? (long)own->pid : 0, 0};
         while (run && !(pids[1] = own->hearts[0].pid))
@@ -104,11 +102,10 @@ TEST(the_helper_ends_with_the_window)
 
 TEST(a_lost_helper_is_told)
 {
-    char code[1024];
     Error error = {""};
     Broker *own = broker_start(scene, NULL, &error);
     assert_non_null(own);
-    RunRequest request = photons_request("endless", code, sizeof code);
+    RunRequest request = photons_request("endless");
     Run *run = run_start(own, &request, &error);
     kill(own->pid, SIGKILL);
     RunStatus status = finish(run);

@@ -36,12 +36,12 @@ static bool has_addr2line(void)
 // The run fails with this sentence; `@` in it stands for the place's line and its colon, where that can be known.
 static void fails(const char *name, const char *expected)
 {
-    char code[1024], whole[512];
+    char whole[512];
     const char *at = strchr(expected, '@');
     if (at)
         snprintf(whole, sizeof whole, "%.*s%s%s", (int)(at - expected), expected, has_addr2line() ? ":" : "",
                  has_addr2line() ? at + 1 : strchr(at, ':'));
-    RunRequest request = photons_request(name, code, sizeof code);
+    RunRequest request = photons_request(name);
     Run *run = start(&request);
     run_patience(run, 0.15);
     RunStatus status = finish(run);

@@ -2,8 +2,6 @@
 #include "preview/view/view_internal.h"
 #include "unit/test_common.h"
 
-#include <stdlib.h>
-
 // Over the upper hemisphere: what is missing to 1 is what points into the surface.
 static double density_integral(StepChoice play, bool diffuse)
 {

@@ -3,8 +3,7 @@
 
 TEST(the_photons_of_a_pass)
 {
-    char code[1024];
-    RunRequest request = photons_request(NULL, code, sizeof code);
+    RunRequest request = photons_request(NULL);
     request.photons = 20000;
     PhotonPass pass = pass_of(&request);
     for (int workers = 1; workers <= 3; workers++) {
@@ -34,8 +33,7 @@ TEST(the_photons_of_a_pass)
 // Legs follow on each other, and a photon has flown as far as the legs to it are long.
 TEST(legs_and_flight)
 {
-    char code[1024];
-    RunRequest request = photons_request(NULL, code, sizeof code);
+    RunRequest request = photons_request(NULL);
     request.photons = request.recorded = 3000;
     Run *run = start(&request);
     assert_int_equal(finish(run).state, RUN_DONE);

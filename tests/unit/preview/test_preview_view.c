@@ -5,9 +5,6 @@
 #include "unit/test_common.h"
 
 #include <dirent.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static size_t wire_lines(const char *name, Box *box)
 {

@@ -5,7 +5,6 @@
 #include "unit/test_common.h"
 #include "preview/watch/watch.h"
 
-#include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

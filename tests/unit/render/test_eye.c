@@ -39,6 +39,17 @@ static void assert_colour(Colour value, double r, double g, double b, double rel
     assert_within((double)value.b, b, relative * b + 1e-6, what);
 }
 
+// Radiance of each channel by both integrators, which takes the path tracer this many samples for its tolerance.
+static void both_see(const char *text, int depth, const double L[3], int samples, double tolerance, const char *what)
+{
+    for (int path = 0; path < 2; path++) {
+        char whose[64];
+        snprintf(whose, sizeof whose, "%s, %s", what, path ? "path" : "photons");
+        Colour seen = look(text, path ? INTEGRATOR_PATH : INTEGRATOR_PHOTONS, 2, depth, path ? samples : 4);
+        assert_colour(seen, L[0], L[1], L[2], path ? tolerance : 1e-5, whose);
+    }
+}
+
 static double fresnel_head_on(double n)
 {
     return (n - 1.0) * (n - 1.0) / ((n + 1.0) * (n + 1.0));
@@ -57,10 +68,7 @@ static double fresnel_head_on(double n)
 TEST(looking_out_of_glass)
 {
     double share = 1.5 * 1.5 * (1.0 - fresnel_head_on(1.5));
-    Colour photons = look(INSIDE_GLASS GLASS, INTEGRATOR_PHOTONS, 2, 1, 4);
-    assert_colour(photons, share, 2 * share, 3 * share, 1e-5, "n²(1−F)L, photons");
-    Colour path = look(INSIDE_GLASS GLASS, INTEGRATOR_PATH, 2, 1, 4096);
-    assert_colour(path, share, 2 * share, 3 * share, 0.012, "n²(1−F)L, path");
+    both_see(INSIDE_GLASS GLASS, 1, (double[]){share, 2 * share, 3 * share}, 4096, 0.012, "n²(1−F)L");
 }
 
 // Each colour has its own n. The path tracer follows one of the three, which counts three times: a standard error of
@@ -72,10 +80,7 @@ TEST(looking_out_of_dispersing_glass)
     static const double n[3] = {1.3, 1.6, 2.2};
     for (int c = 0; c < 3; c++)
         share[c] = (c + 1) * n[c] * n[c] * (1.0 - fresnel_head_on(n[c]));
-    Colour photons = look(text, INTEGRATOR_PHOTONS, 2, 1, 4);
-    assert_colour(photons, share[0], share[1], share[2], 1e-5, "n²(1−F)L of each colour, photons");
-    Colour path = look(text, INTEGRATOR_PATH, 2, 1, 16384);
-    assert_colour(path, share[0], share[1], share[2], 0.04, "n²(1−F)L of each colour, path");
+    both_see(text, 1, share, 16384, 0.04, "n²(1−F)L of each colour");
 }
 
 // The other way round: a lamp in the glass, L = (1−F)L₀/n².
@@ -87,10 +92,7 @@ TEST(looking_into_glass)
                                "  - {type: rectangle, corner: [-0.1, -0.1, 0], edge_u: [0.2, 0, 0], "
                                "edge_v: [0, 0.2, 0], radiance: [1, 2, 3]}\n";
     double share = (1.0 - fresnel_head_on(1.5)) / (1.5 * 1.5);
-    Colour photons = look(text, INTEGRATOR_PHOTONS, 2, 8, 4);
-    assert_colour(photons, share, 2 * share, 3 * share, 1e-5, "(1−F)L/n², photons");
-    Colour path = look(text, INTEGRATOR_PATH, 2, 8, 4096);
-    assert_colour(path, share, 2 * share, 3 * share, 0.012, "(1−F)L/n², path");
+    both_see(text, 8, (double[]){share, 2 * share, 3 * share}, 4096, 0.012, "(1−F)L/n²");
 }
 
 // ---- glass with one side (--glass-sides 1) and with two

@@ -4,7 +4,6 @@
 
 #include "unit/test.h"
 
-#include <stdlib.h>
 #include <unistd.h>
 
 static char temporary[] = "/tmp/photonlab_test_XXXXXX";

@@ -1,19 +1,20 @@
 // Light sources: what the eye pass reckons from them (light_sample) is what their photons bring (light_emit).
 #include "unit/test_common.h"
 
-#include <stdio.h>
+// The lights come behind it.
+#define BLACK_BALL                                                                                                     \
+    "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\n"                                             \
+    "materials: [{name: black, type: diffuse, reflectance: [0, 0, 0]}]\n"                                              \
+    "shapes: [{type: sphere, centre: [9, 9, 9], radius: 1, material: black}]\n"                                        \
+    "lights:\n"
 
 static const char five_lights[] =
-    "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\n"
-    "materials: [{name: black, type: diffuse, reflectance: [0, 0, 0]}]\n"
-    "lights:\n"
-    "  - {type: rectangle, corner: [-0.3, 0.1, 1], edge_u: [0.1, 0.5, 0.1], edge_v: [0.6, 0, 0], radiance: "
-    "[2, 4, 8]}\n"
-    "  - {type: sphere, centre: [0.1, 0.2, 1], radius: 0.4, radiance: [2, 4, 8]}\n"
-    "  - {type: point, position: [0.1, 0.2, 1], power: [2, 4, 8]}\n"
-    "  - {type: spot, position: [0.1, 0.2, 1], target: [0.1, 0, 0], angle: 25, power: [2, 4, 8]}\n"
-    "  - {type: beam, position: [0.1, 0.2, 1], target: [0, 0, 0], radius: 0.4, power: [2, 4, 8]}\n"
-    "shapes: [{type: sphere, centre: [9, 9, 9], radius: 1, material: black}]\n";
+    BLACK_BALL "  - {type: rectangle, corner: [-0.3, 0.1, 1], edge_u: [0.1, 0.5, 0.1], edge_v: [0.6, 0, 0], radiance: "
+               "[2, 4, 8]}\n"
+               "  - {type: sphere, centre: [0.1, 0.2, 1], radius: 0.4, radiance: [2, 4, 8]}\n"
+               "  - {type: point, position: [0.1, 0.2, 1], power: [2, 4, 8]}\n"
+               "  - {type: spot, position: [0.1, 0.2, 1], target: [0.1, 0, 0], angle: 25, power: [2, 4, 8]}\n"
+               "  - {type: beam, position: [0.1, 0.2, 1], target: [0, 0, 0], radius: 0.4, power: [2, 4, 8]}\n";
 
 // A round window that light falls through.
 typedef struct {
@@ -189,15 +190,11 @@ TEST(samples_lie_on_the_light)
 TEST(power_and_radiance)
 {
     Scene *scene = scene_from_text(
-        "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\n"
-        "materials: [{name: black, type: diffuse, reflectance: [0, 0, 0]}]\n"
-        "lights:\n"
-        "  - {type: rectangle, corner: [0, 0, 0], edge_u: [2, 0, 0], edge_v: [1, 3, 0], radiance: [1, 2, "
-        "0]}\n"
+        BLACK_BALL
+        "  - {type: rectangle, corner: [0, 0, 0], edge_u: [2, 0, 0], edge_v: [1, 3, 0], radiance: [1, 2, 0]}\n"
         "  - {type: sphere, centre: [5, 0, 0], radius: 0.5, radiance: [1, 2, 0]}\n"
         "  - {type: rectangle, corner: [0, 0, 9], edge_u: [2, 0, 0], edge_v: [1, 3, 0], power: [1, 2, 0]}\n"
-        "  - {type: sphere, centre: [5, 0, 9], radius: 0.5, power: [1, 2, 0]}\n"
-        "shapes: [{type: sphere, centre: [9, 9, 9], radius: 1, material: black}]\n");
+        "  - {type: sphere, centre: [5, 0, 9], radius: 0.5, power: [1, 2, 0]}\n");
     const double areas[4] = {6.0, M_PI, 6.0, M_PI};
     for (int i = 0; i < 4; i++) {
         const Light *light = &scene->lights[i];

@@ -5,9 +5,6 @@
 #include "unit/scene/temporary_folder.h"
 
 #include <dirent.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -134,27 +131,26 @@ TEST(test_unreadable)
     unlink(temporary_path("secret.yaml"));
 }
 
-static void make_sparse(const char *name, long long size)
-{
-    FILE *file = fopen(temporary_path(name), "w");
-    assert_non_null(file);
-    assert_int_equal(ftruncate(fileno(file), (off_t)size), 0);
-    fclose(file);
-}
-
 TEST(test_size)
 {
-    make_sparse("empty.yaml", 0);
-    assert_true(scene_refused(temporary_path("empty.yaml"), "empty.yaml:1:1: the file is empty"));
-    unlink(temporary_path("empty.yaml"));
-    make_sparse("huge.yaml", 5000000);
-    assert_true(
-        scene_refused(temporary_path("huge.yaml"), "huge.yaml: is 5000000 bytes long; expected at most 4194304"));
-    unlink(temporary_path("huge.yaml"));
-    make_sparse("huge.obj", 600000000);
-    assert_true(
-        mesh_refused("", temporary_path("huge.obj"), "huge.obj: is 600000000 bytes long; expected at most 536870912"));
-    unlink(temporary_path("huge.obj"));
+    const struct {
+        const char *name, *expected;
+        off_t size;
+    } files[] = {
+        {"empty.yaml", "empty.yaml:1:1: the file is empty", 0},
+        {"huge.yaml", "huge.yaml: is 5000000 bytes long; expected at most 4194304", 5000000},
+        {"huge.obj", "huge.obj: is 600000000 bytes long; expected at most 536870912", 600000000},
+    };
+    for (int i = 0; i < 3; i++) {
+        const char *path = temporary_path(files[i].name);
+        FILE *file = fopen(path, "w");
+        assert_non_null(file);
+        assert_int_equal(ftruncate(fileno(file), files[i].size), 0);
+        fclose(file);
+        assert_true(ends_with(path, ".obj") ? mesh_refused("", path, files[i].expected)
+                                            : scene_refused(path, files[i].expected));
+        unlink(path);
+    }
 }
 
 TEST(test_depth)

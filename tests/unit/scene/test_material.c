@@ -3,6 +3,7 @@
 #include "scene/material_kind.h"
 
 static LobeTable table;
+static const float exponents[5] = {0, 1, 5, 20, 100};
 
 static Material glossy(float exponent)
 {
@@ -48,7 +49,6 @@ static Vec3 direction(double z, double phi)
 // f(wi, wo) = f(wo, wi) for the Phong material; not for the source text's scheme, which is none.
 TEST(phong_is_reciprocal)
 {
-    const float exponents[] = {0, 1, 5, 20, 100};
     Rng rng = rng_create(51, 0);
     for (int k = 0; k < 5; k++) {
         Material material = glossy(exponents[k]);
@@ -88,7 +88,6 @@ static Colour reflected(const Material *material, GlossyModel model, double thet
 
 TEST(albedo_is_the_integral_of_the_brdf)
 {
-    const float exponents[] = {0, 1, 5, 20, 100};
     for (int k = 0; k < 5; k++) {
         Material material = glossy(exponents[k]);
         for (int theta = 0; theta <= 80; theta += 40) {
@@ -105,7 +104,6 @@ TEST(albedo_is_the_integral_of_the_brdf)
 // The source text sends back all it gets: ρ_d + ρ_s at every angle.
 TEST(source_text_reflects_rho)
 {
-    const float exponents[] = {0, 1, 5, 20, 100};
     for (int k = 0; k < 5; k++) {
         Material material = glossy(exponents[k]);
         for (int theta = 0; theta <= 80; theta += 40) {

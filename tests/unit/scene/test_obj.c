@@ -3,8 +3,6 @@
 #include "base/text.h"
 #include "unit/test.h"
 
-#include <stdio.h>
-
 #define SQUARE "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
 
 FREED_AT_END(own_mesh, ObjMesh, obj_free)

@@ -2,8 +2,6 @@
 #include "unit/scene/scene_parts.h"
 #include "unit/scene/temporary_folder.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 static Scene *load_shape(const char *shape)
