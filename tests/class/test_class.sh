@@ -73,7 +73,7 @@ check_odd() {
     make_odd
     PHOTONLAB_DIR=$work/odd PHOTONLAB_OUT=$work/odd-out PHOTONLAB_SECONDS_EACH=12 \
         PHOTONLAB_SALT=pepper PHOTONLAB_ROSTER=$work/odd/roster.csv PHOTONLAB_PARALLEL_FLAGS="-j 3" \
-        bash "$here/class.sh" >"$work/odd-said" 2>&1 &&
+        bash "$here/class.sh" >"$work/odd-out-said" 2>&1 &&
         bad "odd: exit code 0 with work that was not graded"
     holds_row beside ',graded,no,4,100,.*the empty step; yours was taken' "a started file wins over the empty one"
     holds_row two 'not graded,no,0,100,.*2.2 is started both in `exercises.*` and in `old/2.2_turn_to.c`' "which of two"
@@ -83,7 +83,7 @@ check_odd() {
     holds_row doe ',graded,no,9,100,' "files flat in the folder become a submission"
     holds_row late 'partly graded,no,9,100,.*12 s for grading ran out before [1-9]' "what was graded in time counts"
     grep -q 'SALT=pepper' "$work/odd-out/.parts/.config" && grep -qa '^,new line,graded' "$work/odd-out/class.csv" &&
-        good "odd: a name of two lines" || bad "odd: $(cat "$work/odd-said")"
+        good "odd: a name of two lines" || bad "odd: $(cat "$work/odd-out-said")"
     says 'half below' "$work/odd-out/index.html" "odd: the page tells how points are spread"
     check "$(grep -c 'href="[^"]*/index.html"' "$work/odd-out/index.html") == \
         $(ls "$work/odd-out/"*/index.html | grep -c '^/')" \
@@ -91,11 +91,7 @@ check_odd() {
     ok "odd: the report of what was graded in time" test -f "$work/odd-out/late/index.html"
 }
 
-holds_row() { # holds_row SUBMISSION PATTERN TEXT
-    if grep -a "^,$1," "$work/odd-out/class.csv" | grep -q -- "$2"; then good "odd: $3"; else
-        bad "odd: $3: $(grep -a "$1" "$work/odd-out/class.csv") $(tail -3 "$work/odd-said")"
-    fi
-}
+holds_row() { in_table odd-out "^,$1," "$2" "odd: $3"; }
 
 start_class() {
     PHOTONLAB_DIR=$work/class PHOTONLAB_ROSTER=$work/roster.csv PHOTONLAB_OUT=$work/out \
@@ -131,32 +127,31 @@ check_class() {
     check_table
 }
 
-row_of() { grep -a -- "$1" "$work/out/class.csv"; }
+# in_table FOLDER ROW PATTERN TEXT: what the class's table, or that of the odd ones, says in a row.
+in_table() {
+    if grep -a -- "$2" "$work/$1/class.csv" | grep -q -- "$3"; then good "$4"; else
+        bad "$4: $(grep -a -- "$2" "$work/$1/class.csv") $(tail -3 "$work/$1-said" 2>/dev/null)"
+    fi
+}
+
+row() { in_table out "$1" "$2" "class: $3"; }
 
 check_table() {
     check "$(grep -c . "$work/out/class.csv") == 11" "class: a header, four lines of the roster, six of others"
     [ "$(cut -d, -f1 "$work/out/class.csv" | head -5 | tr '\n' ' ')" = 'name alice "Bøb zoë Dave ' ] &&
         good "class: the roster's order" ||
         bad "class: the roster's order: $(cut -d, -f1 "$work/out/class.csv")"
-    row_of alice | grep -q '^alice,"1,5",s1,alice,graded,yes,5,100,0,5,0,' && good "class: points, by stage" ||
-        bad "class: $(row_of alice)"
-    row_of O.Neil | grep -qF '"Bøb, ""the"" =O'"'"'Neil",2,s2,"Bøb, ""the"" =O'"'"'Neil",graded,yes,5,' &&
-        good "class: loose files; a name with commas and quotes" ||
-        bad "class: $(row_of O.Neil)"
-    row_of zo | grep -q '^zoë,3,s3,,no submission,yes,0,' && good "class: no submission, 0 points" ||
-        bad "class: $(row_of zo)"
-    row_of Dave | grep -q '^Dave,4,s4,dave_4711_assignsubmission,graded,yes,5,' &&
-        good "class: a course system's names; a zip" || bad "class: $(row_of Dave)"
-    row_of carol | grep -q '^,,,carol,graded,no,5,' &&
-        good "class: not in the roster; the exercises in a whole photonlab" || bad "class: $(row_of carol)"
-    row_of '^,,,cut' | grep -q ',unreadable,no,0,' && good "class: a damaged archive" || bad "class: $(row_of cut)"
-    row_of empty | grep -q 'unreadable.*the folder is empty' && good "class: an empty folder" ||
-        bad "class: $(row_of empty)"
-    row_of ',link,' | grep -q 'unreadable' && good "class: links and pipes are not read" ||
-        bad "class: $(row_of ',link,')"
-    row_of climber | grep -q 'unreadable' && good "class: no paths that lead out" || bad "class: $(row_of climber)"
-    row_of bomb | grep -q 'unpacks to more than 256 MB' && good "class: an archive that is a bomb" ||
-        bad "class: $(row_of bomb)"
+    row alice '^alice,"1,5",s1,alice,graded,yes,5,100,0,5,0,' "points, by stage"
+    row O.Neil '"Bøb, ""the"" =O'"'"'Neil",2,s2,"Bøb, ""the"" =O'"'"'Neil",graded,yes,5,' \
+        "loose files; a name with commas and quotes"
+    row zo '^zoë,3,s3,,no submission,yes,0,' "no submission, 0 points"
+    row Dave '^Dave,4,s4,dave_4711_assignsubmission,graded,yes,5,' "a course system's names; a zip"
+    row carol '^,,,carol,graded,no,5,' "not in the roster; the exercises in a whole photonlab"
+    row '^,,,cut' ',unreadable,no,0,' "a damaged archive"
+    row empty 'unreadable.*the folder is empty' "an empty folder"
+    row ',link,' 'unreadable' "links and pipes are not read"
+    row climber 'unreadable' "no paths that lead out"
+    row bomb 'unpacks to more than 256 MB' "an archive that is a bomb"
     says 'href="alice/index.html"' "$work/out/index.html" "class: the page leads to the reports"
     says 'href="B%C3%B8b%2C%20%22the%22%20%3DO%27Neil/index.html"' "$work/out/index.html" "class: whatever the name"
     ok "class: no work left behind" not ls "$work/out/.parts/"part.* "${TMPDIR:-/tmp}/photonlab-class.$UID."*

@@ -51,6 +51,12 @@ page_is_closed() {
 tap() { perl "$cases/tap.pl" <"$1/report.tap" >"$1/tap.out"; }
 xpath() { xmllint --xpath "$1" "$2"; }
 
+# written NAME [FLAG…]: a report of $dir is written, and every file of it right.
+written() {
+    ok "$1: written" "$report" "${@:2}" "$dir"
+    check_forms "$1" "$dir"
+}
+
 # Every file of a report, by its format's checker.
 check_forms() {
     local name=$1 dir=$2
@@ -76,8 +82,7 @@ png_count() {
 
 echo "── what each format says"
 prepare all .
-ok "a report is written" "$report" --notes notes "$dir"
-check_forms student "$dir"
+written student --notes notes
 check "$(png_count "$dir") == 4" "html: yours, reference and difference are PNG, and the scatter"
 ok "html: 11.5 of the 34 points of visible steps" says "$dir/index.html" "<b>11.5</b> of 34 points"
 ok "html: the likely mistake" says "$dir/index.html" "the exponent n in place of n+1"
@@ -113,8 +118,7 @@ seen=$(grep -rlE 'secret|scatter_glossy|source text|modified Phong' "$dir" --inc
     --include=report.tap --include=classroom.json --include=prairielearn)
 [ -z "$seen" ] && good "no student's file tells of hidden steps" || bad "told in $seen"
 ok "prairielearn neither" not says "$dir/prairielearn/results.json" secret
-ok "a teacher's report is written" "$report" --teacher "$dir"
-check_forms teacher "$dir"
+written teacher --teacher
 ok "teacher: html tells" says "$dir/index.html" "secret words of 2.3"
 ok "teacher: 8 steps and 2 scatters" xpath "/testsuites[@tests=10 and @failures=3]" "$dir/junit.xml"
 ok "teacher: tap, too" says "$dir/tap.out" "planned 10"
@@ -144,24 +148,20 @@ ok "nasty: tap plans 8" says "$dir/tap.out" "planned 8"
 
 echo "── much output, odd numbers, missing pictures"
 prepare huge '("\u001b\"é&<" * 60000) as $much | .steps |= map(.output = $much)'
-ok "huge: written" "$report" --notes notes "$dir"
-check_forms huge "$dir"
+written huge --notes notes
 ok "huge: says what is left out" says "$dir/index.html" "bytes left out"
 prepare many '.steps[1] as $step | .steps = [range(100) as $i | $step | .id = "2.\($i)" | .title += .id
     | .output = "a line of output\n" * 2000] | .passed = 0 | .failed = 100 | .errors = 0 | .not_started = 0
     | .points = 150 | .points_max = 600'
-ok "many steps: written" "$report" --notes notes "$dir"
-check_forms "many steps" "$dir"
+written "many steps" --notes notes
 ok "many steps: prairielearn's output is cut short, not away" says "$dir/prairielearn/results.json" "a line of output"
 prepare null '.scatters[1].p = null | .steps[1].checks[0] |= (.p = null | .threshold = null | .histogram.low = null
     | .histogram.observed = [null, 1e308, -5]) | .steps[1].checks[1].picture |= (.T = null | .V = null)'
-ok "null numbers: written" "$report" --notes notes "$dir"
-check_forms null "$dir"
+written null --notes notes
 ok "null numbers: none in the page" not grep -qE '[">: ]-?(nan|inf)\b' "$dir/index.html"
 prepare missing .
 rm "$dir/pictures/2.1_yours.pfm"
-ok "a missing picture: written" "$report" --notes notes "$dir"
-check_forms "missing picture" "$dir"
+written "missing picture" --notes notes
 ok "missing picture: a note" says "$dir/index.html" "The pictures are left out: "
 printf 'PF\n2 2\n-1.0\n' >"$dir/pictures/2.1_yours.pfm"
 for i in 1 2 3 4 5 6 7 8 9 10 11 12; do printf '\000\000\300\177' >>"$dir/pictures/2.1_yours.pfm"; done
@@ -186,8 +186,7 @@ ok "no steps: gradescope" true_of "$(cat "$cases/gradescope.jq")" "$dir/gradesco
 ok "no steps: index.html" xmllint --noout "$dir/index.html"
 ok "no steps: tap" tap "$dir"
 prepare uncredited '.credit = false | .sandbox = "none"'
-"$report" --notes notes "$dir"
-check_forms "no credit" "$dir"
+written "no credit" --notes notes
 ok "no credit: no points for gradescope" true_of '([.tests[].score] | add) == 0' "$dir/gradescope/results.json"
 ok "no credit: not gradable for prairielearn" true_of '.gradable == false' "$dir/prairielearn/results.json"
 ok "no credit: no points for classroom" true_of '([.tests[].score] | add) == 0 and .status == "error"' \

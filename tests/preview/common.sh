@@ -67,6 +67,17 @@ said_again() {
     [ "$(lines_of "$1")" -gt "$2" ]
 }
 
+# told TEXT PATTERN [SECONDS [COUNT]]: the window says it in time, more often than COUNT; the last such line stands beside the text.
+told() {
+    if wait_for "${3:-12}" said_again "$2" "${4:-0}"; then good "$1: $(grep -E "$2" "$log" | tail -1)"; else
+        bad "$1: expected /$2/, found: $(tail -2 "$log")"
+    fi
+}
+
+# same TEXT ONE OTHER, other TEXT ONE OTHER: two files in $work.
+same() { ok "$1" cmp -s "$work/$2" "$work/$3"; }
+other() { ok "$1" not cmp -s "$work/$2" "$work/$3"; }
+
 # save FILE: what an editor does; the file is complete when it appears.
 save() {
     cat >"$work/saved"

@@ -11,13 +11,9 @@ drill() {
     local name=$1 pattern=$2 before
     before=$(lines_of "$pattern")
     step "$3" "$4" | save $broken
-    if wait_for 12 said_again "$pattern" "$before"; then
-        good "$name: $(grep -E "$pattern" "$log" | tail -1)"
-    else
-        bad "$name: expected /$pattern/, found: $(tail -2 "$log")"
-    fi
+    told "$name" "$pattern" 12 "$before"
     if picture_now fault_here && drag 1 40 12 && sleep 0.1 && picture_now fault_turned && photons_in fault_turned; then
-        cmp -s "$work/fault_here.png" "$work/fault_turned.png" && bad "$name: the window does not turn" || good "$name: it keeps its photons, and turns"
+        other "$name: it keeps its photons, and turns" fault_here.png fault_turned.png
     else
         bad "$name: no picture, or one without photons"
     fi
@@ -29,7 +25,7 @@ mend() {
     local after
     after=$(lines_of 'after the save')
     save $broken <solutions/$broken
-    wait_for 12 said_again 'after the save' "$after" && good "$1: recovers at the next good save" || bad "$1: does not recover: $(tail -2 "$log")"
+    told "$1: recovers at the next good save" 'after the save' 12 "$after"
 }
 
 # A picture without photons is much smaller as a PNG: an empty box of lines.
@@ -55,25 +51,22 @@ check_drills() {
 
     # These build and run, whatever they give; what the compiler knows is told.
     step '' 'rng_float(rng); normal.x += 0.0f;' | save $broken
-    wait_for 12 said_again '1\.3_scatter_diffuse\.c:[0-9]+:.*warning.*return' 0 && good "forgotten return: $(grep warning "$log" | tail -1)" ||
-        bad "forgotten return: no warning: $(tail -2 "$log")"
+    told "forgotten return" '1\.3_scatter_diffuse\.c:[0-9]+:.*warning.*return'
     mend "forgotten return"
     step '' 'return vec3_scale(normal, 0.5f + 0.0f * rng_float(rng));' | save $broken
-    wait_for 12 said_again 'one of your steps 1\.2, 1\.3 gave a direction whose length is 0\.5' 0 && good "half a direction: $(grep 'whose length' "$log" | tail -1)" ||
-        bad "half a direction: $(tail -2 "$log")"
+    told "half a direction" 'one of your steps 1\.2, 1\.3 gave a direction whose length is 0\.5'
     mend "half a direction"
     flood
     not_played
     echo '# another' >>"$work/box_diffuse.yaml"
-    wait_for 12 said_again 'box_diffuse.yaml was changed; start the preview again' 0 && good "a scene that is edited" || bad "a scene that is edited: nothing is said"
+    told "a scene that is edited" 'box_diffuse.yaml was changed; start the preview again'
 }
 
 # With 3.4 written, the loop of 1.5 does not play: a save of it changes nothing, and that is said.
 not_played() {
     local other=1_diffuse_photon_map/1.5_trace_photon.c
     save $other <solutions/$other
-    wait_for 12 said_again '1\.5 is built, but another step plays in its place' 0 && good "not played: $(grep 'is built, but' "$log")" ||
-        bad "not played: $(tail -2 "$log")"
+    told "not played" '1\.5 is built, but another step plays in its place'
 }
 
 # What a step prints, a million times perhaps, reaches the terminal in part.

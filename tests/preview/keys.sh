@@ -5,7 +5,7 @@ differs() {
     local name=$1
     shift
     picture_now before && "$@" && sleep 0.3 && picture_now after || { bad "$name: no pictures"; return; }
-    cmp -s "$work/before.png" "$work/after.png" && bad "$name changes nothing" || good "$name"
+    other "$name" before.png after.png
 }
 
 # looks_other: the picture is no longer the one before; to be waited for, where a change takes its time.
@@ -64,16 +64,16 @@ check_keys() {
     differs "p: renders" eval 'key p; wait_for 15 looks_other'
     key p
     key o
-    wait_for 5 said_again 'no report yet|the report: ' 0 && good "o: the report, or how to get one" || bad "o says nothing"
+    told "o: the report, or how to get one" 'no report yet|the report: ' 5
     screen_now before
     local id
     id=$(xdotool search --onlyvisible --name photonlab | head -1)
     xdotool windowsize --sync "$id" 800 500
     sleep 0.3
     screen_now after
-    cmp -s "$work/before.screen" "$work/after.screen" && bad "resizing changes nothing" || good "resizes"
+    other "resizes" before.screen after.screen
     picture_now resized
-    [ "$(png_size "$work/resized.png")" = 800x500 ] && good "its snapshot has the new size" || bad "snapshot after resizing: $(png_size "$work/resized.png")"
+    ok "its snapshot has the new size" [ "$(png_size "$work/resized.png")" = 800x500 ]
 }
 
 # Width and height stand in bytes 16 to 23 of every PNG.

@@ -14,23 +14,20 @@ check_pictures() {
         for context in osmesa egl window; do
             shot "$context" --view $view --split --context $context || bad "$view by $context: $(cat "$work/$context.log")"
         done
-        if cmp -s "$work/osmesa.png" "$work/egl.png" && cmp -s "$work/osmesa.png" "$work/window.png"; then
-            good "$view: the same bytes from OSMesa, EGL and a window"
-        else
-            bad "$view: OSMesa, EGL and a window differ"
-        fi
+        same "$view: the same bytes from OSMesa and EGL" osmesa.png egl.png
+        same "$view: and from a window" osmesa.png window.png
     done
     kill "$xvfb"
     wait "$xvfb" 2>/dev/null
     unset DISPLAY
     shot reference || bad "a snapshot without a display: $(cat "$work/reference.log")"
-    PHOTONLAB_WITHOUT=osmesa shot without && cmp -s "$work/reference.png" "$work/without.png" && good "without OSMesa: the same bytes" ||
-        bad "without OSMesa: $(cat "$work/without.log")"
+    PHOTONLAB_WITHOUT=osmesa shot without || bad "without OSMesa: $(cat "$work/without.log")"
+    same "without OSMesa: the same bytes" reference.png without.png
     rm -f "$work/neither.png"
     PHOTONLAB_WITHOUT=osmesa,egl shot neither
     [ $? = 1 ] && grep -q 'libosmesa6' "$work/neither.log" && [ ! -e "$work/neither.png" ] &&
         good "with neither: $(cat "$work/neither.log")" || bad "with neither: $(cat "$work/neither.log")"
-    shot again && cmp -s "$work/reference.png" "$work/again.png" && good "the same bytes again" || bad "two snapshots differ"
+    shot again && same "the same bytes again" reference.png again.png
     for flags in "--view nothing" "--colour nothing" "--camera 1,2,3" "--size 10x10" "--angle 95" "--every-save"; do
         shot wrong $flags
         [ $? = 2 ] && good "$flags: $(head -1 "$work/wrong.log")" || bad "$flags: exit code is not 2"
