@@ -19,26 +19,6 @@
 static char *stack_top; // somewhere near the stack's beginning
 static void (*tell_crash)(const Crash *crash);
 
-char *crash_put_text(char *to, const char *text)
-{
-    while (*text)
-        *to++ = *text++;
-    return to;
-}
-
-char *crash_put_number(char *to, unsigned long long value, unsigned base)
-{
-    char digits[24];
-    int count = 0;
-    do {
-        digits[count++] = "0123456789abcdef"[value % base];
-        value /= base;
-    } while (value);
-    while (count > 0)
-        *to++ = digits[--count];
-    return to;
-}
-
 unsigned long long crash_peak_kb(void)
 {
     char text[4096];

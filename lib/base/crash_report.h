@@ -27,8 +27,4 @@ unsigned long long crash_peak_kb(void);
 // cannot tell. Over a broken stack it may crash: say first what is known.
 int crash_frames(const char *place, void *frames[CRASH_FRAMES]);
 
-// snprintf is not safe in a handler; these are. They return the end of what they wrote.
-char *crash_put_text(char *to, const char *text);
-char *crash_put_number(char *to, unsigned long long value, unsigned base);
-
 #endif

@@ -1,9 +1,9 @@
 #include "photons/pass/oddities.h"
+#include "base/text.h"
 #include "steps/2_glossy_lobe.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 // From fewer paths the standard error itself is too uncertain to judge by: of one path it is 0, and of a hundred it is
 // still far too small now and then.
@@ -35,8 +35,7 @@ static bool name_suspects(const char *const *ids, const StepState *states, char 
         const StepInfo *step = step_find(*ids);
         if (states[step - step_table] != STEP_STUDENT)
             continue;
-        size_t used = strlen(list);
-        snprintf(list + used, sizeof list - used, "%s%s", count++ > 0 ? ", " : "", step->id);
+        text_append(list, sizeof list, "%s%s", count++ > 0 ? ", " : "", step->id);
         only = step;
     }
     if (count == 1)
@@ -60,8 +59,8 @@ static void describe_unsound(const UnsoundPaths *unsound, const StepState *state
     char share[48] = "";
     if (unsound->at[most] < unsound->total)
         snprintf(share, sizeof share, ", %ld of them", unsound->at[most]);
-    snprintf(text, size, "%ld paths ended%s at %s: %s gave a direction whose length is %s, not 1\n", unsound->total,
-             share, sources[most].place, who, length);
+    text_append(text, size, "%ld paths ended%s at %s: %s gave a direction whose length is %s, not 1\n", unsound->total,
+                share, sources[most].place, who, length);
 }
 
 static void describe_energy(const Ledger *ledger, const StepState *states, char *text, size_t size)
@@ -76,12 +75,12 @@ static void describe_energy(const Ledger *ledger, const StepState *states, char 
         if (fabs(chance) <= 5.0 * error + 1e-6 * ledger->emitted[c])
             continue;
         if (isfinite(chance))
-            snprintf(text, size,
-                     "energy: of %.4g W of %s light, bounces %s %.4g W for no reason, where 0 ± %.2g is right. A "
-                     "weight or probability is off, or does not fit its directions: look at %s\n",
-                     ledger->emitted[c], names[c], chance < 0.0 ? "gained" : "lost", fabs(chance), error, who);
+            text_append(text, size,
+                        "energy: of %.4g W of %s light, bounces %s %.4g W for no reason, where 0 ± %.2g is right. A "
+                        "weight or probability is off, or does not fit its directions: look at %s\n",
+                        ledger->emitted[c], names[c], chance < 0.0 ? "gained" : "lost", fabs(chance), error, who);
         else
-            snprintf(text, size, "energy: a photon's power is no number (NaN), or infinite: look at %s\n", who);
+            text_append(text, size, "energy: a photon's power is no number (NaN), or infinite: look at %s\n", who);
         return;
     }
 }
@@ -90,13 +89,11 @@ void oddities_describe(const Oddities *found, char *text, size_t size)
 {
     text[0] = '\0';
     if (found->redraw_caps > 0)
-        snprintf(text, size, "step 2.3: %ld photons were dropped after %d redraws of the lobe\n", found->redraw_caps,
-                 MAX_LOBE_TRIES);
-    size_t used = strlen(text);
+        text_append(text, size, "step 2.3: %ld photons were dropped after %d redraws of the lobe\n", found->redraw_caps,
+                    MAX_LOBE_TRIES);
     if (found->unsound->total > 0)
-        describe_unsound(found->unsound, found->states, text + used, size - used);
-    used = strlen(text);
+        describe_unsound(found->unsound, found->states, text, size);
     // Where paths ended by a bad direction, their flux is missing too, and no weight is to blame.
     if (found->paths >= FEWEST_PATHS && found->unsound->total == 0)
-        describe_energy(found->ledger, found->states, text + used, size - used);
+        describe_energy(found->ledger, found->states, text, size);
 }

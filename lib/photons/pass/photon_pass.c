@@ -47,8 +47,7 @@ Photon light_emit(const Light *light, Rng *rng)
         return steps.emit_photon(light, rng);
     float u = rng_float(rng);
     float v = rng_float(rng);
-    Vec3 position = light->position;
-    Vec3 direction = light->direction;
+    Vec3 position = light->position, direction = light->direction;
     switch (light->type) {
     case LIGHT_RECTANGLE: // returned above
         break;
@@ -88,24 +87,22 @@ static void close_path(PhotonTrace *trace)
     }
 }
 
-static void trace_chunk(PhotonTrace *trace, const PhotonPassOptions *options, const LightChance *chances, long first,
-                        long last)
+static void trace_chunk(PhotonTrace *trace, const LightChance *chances, long first, long last)
 {
     const Scene *scene = trace->scene;
+    const PhotonPassOptions *options = trace->options;
     void (*trace_path)(PhotonTrace *, Photon, Rng *) =
         options->play.loop ? steps.trace_photon : steps.trace_photon_in_colour;
     for (long i = first; i < last; i++) {
-        if (trace->recorder)
-            trace->recorder->path(trace->recorder->user, i);
+        if (options->recorder)
+            options->recorder->path(options->recorder->user, i);
         Rng rng = rng_create(options->seed, (uint64_t)i);
         size_t l = pick_light(chances, scene->light_count, &rng);
         Photon photon = light_emit(&scene->lights[l], &rng);
         float share = (float)(1.0 / ((double)options->photons * (double)chances[l].probability));
         photon.power = colour_scale(photon.power, share);
         photon.from = scene->lights[l].primitive;
-        trace->ledger.emitted[0] += (double)photon.power.r;
-        trace->ledger.emitted[1] += (double)photon.power.g;
-        trace->ledger.emitted[2] += (double)photon.power.b;
+        ledger_add_power(trace->ledger.emitted, photon.power);
         trace_path(trace, photon, &rng);
         close_path(trace);
     }
@@ -192,14 +189,10 @@ static void trace_all(const Scene *scene, const PhotonPassOptions *options, cons
     long end = last_path(options);
 #pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
     for (long i = 0; i < chunk_count; i++) {
-        PhotonTrace trace = {.scene = scene,
-                             .depth = options->depth,
-                             .keep = options->keep,
-                             .glossy = options->play.glossy,
-                             .recorder = options->recorder};
+        PhotonTrace trace = {.scene = scene, .options = options};
         long first = options->first + i * CHUNK;
         long last = first + CHUNK < end ? first + CHUNK : end;
-        trace_chunk(&trace, options, chances, first, last);
+        trace_chunk(&trace, chances, first, last);
         chunks[i] = trace; // at the end: neighbours in the array share cache lines
 #pragma omp critical(photon_pass_progress)
         progress_report(&options->progress, "photons", (double)++done / (double)chunk_count);

@@ -4,13 +4,6 @@
 #include "math/sample.h"
 #include "steps/steps.h"
 
-static void add_power(double sum[3], Colour power)
-{
-    sum[0] += (double)power.r;
-    sum[1] += (double)power.g;
-    sum[2] += (double)power.b;
-}
-
 // What lies between the light and the surface that this photon flies to.
 static PhotonPath path_after(const Photon *photon)
 {
@@ -27,10 +20,10 @@ static PhotonPath path_after(const Photon *photon)
 static void book_arrival(PhotonTrace *trace, const Photon *photon, const Hit *hit)
 {
     float cos_i = -vec3_dot(photon->direction, hit->normal);
-    Colour albedo = material_albedo(hit->material, trace->glossy, cos_i);
+    Colour albedo = material_albedo(hit->material, trace->options->play.glossy, cos_i);
     Colour onward = colour_mul(photon->power, albedo);
-    add_power(trace->ledger.absorbed, colour_sub(photon->power, onward));
-    add_power(trace->path_chance, onward);
+    ledger_add_power(trace->ledger.absorbed, colour_sub(photon->power, onward));
+    ledger_add_power(trace->path_chance, onward);
 }
 
 static void note_unsound(UnsoundPaths *unsound, const Photon *photon)
@@ -44,24 +37,25 @@ static void note_unsound(UnsoundPaths *unsound, const Photon *photon)
 bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
 {
     if (photon->left_material)
-        add_power(trace->path_chance, colour_scale(photon->power, -1.0f));
+        ledger_add_power(trace->path_chance, colour_scale(photon->power, -1.0f));
     photon->path = path_after(photon);
-    if (photon->bounce >= trace->depth) {
-        add_power(trace->ledger.cut, photon->power);
+    if (photon->bounce >= trace->options->depth) {
+        ledger_add_power(trace->ledger.cut, photon->power);
         return false;
     }
     if (!(fabsf(vec3_dot(photon->direction, photon->direction) - 1.0f) < 0.01f)) { // NaN is not less
         note_unsound(&trace->unsound, photon);
-        add_power(trace->ledger.escaped, photon->power);
+        ledger_add_power(trace->ledger.escaped, photon->power);
         return false;
     }
     Ray ray = {photon->position, photon->direction, photon->from};
     trace->segments++;
     bool met = scene_intersect(trace->scene, &ray, hit);
-    if (trace->recorder)
-        trace->recorder->leg(trace->recorder->user, photon, met ? hit : NULL);
+    const PhotonRecorder *recorder = trace->options->recorder;
+    if (recorder)
+        recorder->leg(recorder->user, photon, met ? hit : NULL);
     if (!met) {
-        add_power(trace->ledger.escaped, photon->power);
+        ledger_add_power(trace->ledger.escaped, photon->power);
         return false;
     }
     photon->bounce++;
@@ -74,19 +68,11 @@ bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
 
 void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
 {
-    if (!(trace->keep & (1u << photon->path)))
+    const PhotonRecorder *recorder = trace->options->recorder;
+    if (!(trace->options->keep & (1u << photon->path)))
         return;
-    if (!trace->recorder) {
-        StoredPhoton *photons = array_reserve(trace->photons, trace->count, &trace->capacity, sizeof *photons);
-        trace->out_of_memory |= !photons;
-        if (!photons)
-            return;
-        trace->photons = photons;
-    }
     int before = photon->bounce - 1;
-    StoredPhoton aside;
-    StoredPhoton *to = trace->recorder ? &aside : &trace->photons[trace->count++];
-    *to = (StoredPhoton){
+    StoredPhoton stored = {
         .position = hit->position,
         .power = photon->power,
         .packed_wi = direction_pack(vec3_negate(photon->direction)),
@@ -95,10 +81,17 @@ void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
         .bounce = (uint8_t)(before < 255 ? before : 255),
         .material = (uint8_t)(hit->material - trace->scene->materials),
     };
-    if (trace->recorder)
-        trace->recorder->stored(trace->recorder->user, to, photon->flown);
-    else
-        trace->caustics += photon->path == PATH_CAUSTIC;
+    if (recorder) {
+        recorder->stored(recorder->user, &stored, photon->flown);
+        return;
+    }
+    StoredPhoton *photons = array_reserve(trace->photons, trace->count, &trace->capacity, sizeof *photons);
+    trace->out_of_memory |= !photons;
+    if (!photons)
+        return;
+    trace->photons = photons;
+    photons[trace->count++] = stored;
+    trace->caustics += photon->path == PATH_CAUSTIC;
 }
 
 // A kind that no step is about: turned as by a mirror, or sent into the cosine hemisphere with its BRDF for a weight.

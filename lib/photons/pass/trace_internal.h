@@ -6,10 +6,7 @@
 
 struct PhotonTrace {
     const Scene *scene;
-    int depth;
-    unsigned keep;
-    GlossyModel glossy;
-    const PhotonRecorder *recorder;
+    const PhotonPassOptions *options;
 
     StoredPhoton *photons; // what this chunk of paths has stored, in order
     size_t count, capacity;
@@ -22,5 +19,12 @@ struct PhotonTrace {
     uint64_t segments;
     UnsoundPaths unsound;
 };
+
+static inline void ledger_add_power(double sum[3], Colour power)
+{
+    sum[0] += (double)power.r;
+    sum[1] += (double)power.g;
+    sum[2] += (double)power.b;
+}
 
 #endif

@@ -29,6 +29,27 @@ static void send(const char *from, const char *to)
     (void)ignored;
 }
 
+// snprintf is not safe in a handler; these are. They return the end of what they wrote.
+static char *put_text(char *to, const char *text)
+{
+    while (*text)
+        *to++ = *text++;
+    return to;
+}
+
+static char *put_number(char *to, unsigned long long value, unsigned base)
+{
+    char digits[24];
+    int count = 0;
+    do {
+        digits[count++] = "0123456789abcdef"[value % base];
+        value /= base;
+    } while (value);
+    while (count > 0)
+        *to++ = digits[--count];
+    return to;
+}
+
 // Of several objects it is the first one met, the innermost, that is watched from then on.
 static bool is_watched(const char *file)
 {
@@ -43,7 +64,7 @@ static char *put_step(char *to)
 {
     if (!folder[0])
         return to;
-    to = crash_put_text(to, " step=");
+    to = put_text(to, " step=");
     for (const char *id = watched + strlen(folder); *id && *id != '/'; id++)
         *to++ = *id;
     return to;
@@ -56,9 +77,9 @@ static char *put_place(char *to, char *place, bool exact, int *written)
     if (!dladdr(place, &info) || !info.dli_fname || !is_watched(info.dli_fname))
         return to;
     if (*written == 0)
-        to = crash_put_text(put_step(to), " frames=");
-    to = crash_put_text(to, (*written)++ ? ",0x" : "0x");
-    return crash_put_number(to, (unsigned long long)(place - (char *)info.dli_fbase - !exact), 16);
+        to = put_text(put_step(to), " frames=");
+    to = put_text(to, (*written)++ ? ",0x" : "0x");
+    return put_number(to, (unsigned long long)(place - (char *)info.dli_fbase - !exact), 16);
 }
 
 // The instruction is known at once and goes out at once: over a broken stack the way up may not be found.
@@ -80,19 +101,19 @@ static void send_frames(char *place)
 static void report_crash(const Crash *crash)
 {
     char line[512];
-    char *to = crash_put_text(line, "\nphotonlab-crash signal=");
-    to = crash_put_number(to, (unsigned long long)crash->signal, 10);
-    to = crash_put_text(to, " case=");
-    to = crash_put_number(to, probe_case < 0 ? 0 : (unsigned long long)probe_case, 10);
-    to = crash_put_text(to, " address=0x");
-    to = crash_put_number(to, crash->address, 16);
-    to = crash_put_text(to, crash->stack_far ? " stack=far" : " stack=near");
+    char *to = put_text(line, "\nphotonlab-crash signal=");
+    to = put_number(to, (unsigned long long)crash->signal, 10);
+    to = put_text(to, " case=");
+    to = put_number(to, probe_case < 0 ? 0 : (unsigned long long)probe_case, 10);
+    to = put_text(to, " address=0x");
+    to = put_number(to, crash->address, 16);
+    to = put_text(to, crash->stack_far ? " stack=far" : " stack=near");
     if (crash->syscall >= 0) {
-        to = crash_put_text(to, " syscall=");
-        to = crash_put_number(to, (unsigned long long)crash->syscall, 10);
+        to = put_text(to, " syscall=");
+        to = put_number(to, (unsigned long long)crash->syscall, 10);
     }
-    to = crash_put_text(to, " peak_kb=");
-    to = crash_put_number(to, crash->peak_kb, 10);
+    to = put_text(to, " peak_kb=");
+    to = put_number(to, crash->peak_kb, 10);
     send(line, to);
     send_frames(crash->place);
 }
