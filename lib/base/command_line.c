@@ -20,34 +20,16 @@ int report_usage(const char *command, const char *format, ...)
     return EXIT_USAGE;
 }
 
-static bool parse_whole(const Flag *flag, const char *text, long *value)
+static bool in_range(const Flag *flag, double value)
 {
-    char *end;
-    errno = 0;
-    *value = strtol(text, &end, 10);
-    return end != text && !*end && errno == 0 && (double)*value >= flag->low && (double)*value <= flag->high;
-}
-
-static bool parse_float(const Flag *flag, const char *text, float *value)
-{
-    char *end;
-    *value = strtof(text, &end);
-    return end != text && !*end && (double)*value >= flag->low && (double)*value <= flag->high; // NaN is neither
-}
-
-static bool parse_seed(const char *text, uint64_t *value)
-{
-    char *end;
-    errno = 0;
-    *value = strtoull(text, &end, 10);
-    return end != text && !*end && errno == 0 && !strchr(text, '-');
+    return value >= flag->low && value <= flag->high; // NaN is neither
 }
 
 static bool parse_size(const Flag *flag, const char *text, int size[2])
 {
     char after;
-    return sscanf(text, "%dx%d%c", &size[0], &size[1], &after) == 2 && size[0] >= flag->low && size[0] <= flag->high &&
-           size[1] >= flag->low && size[1] <= flag->high;
+    return sscanf(text, "%dx%d%c", &size[0], &size[1], &after) == 2 && in_range(flag, size[0]) &&
+           in_range(flag, size[1]);
 }
 
 static bool parse_choice(const char *text, Choice *choice)
@@ -61,43 +43,50 @@ static bool parse_choice(const char *text, Choice *choice)
 
 static bool take_flag(const Flag *flag, const char *text)
 {
-    long whole;
-    float number;
+    char *end;
+    errno = 0;
     switch (flag->kind) {
     case FLAG_PRESENT:
         *(bool *)flag->value = true;
         return true;
+    case FLAG_ON:
+        *(double *)flag->value = 1.0;
+        return true;
     case FLAG_TEXT:
         *(const char **)flag->value = text;
         return true;
-    case FLAG_INT:
-        if (!parse_whole(flag, text, &whole))
-            return false;
-        *(int *)flag->value = (int)whole;
-        return true;
-    case FLAG_LONG:
-        return parse_whole(flag, text, flag->value);
-    case FLAG_FLOAT:
-        return parse_float(flag, text, flag->value);
-    case FLAG_SEED:
-        return parse_seed(text, flag->value);
     case FLAG_SIZE:
         return parse_size(flag, text, flag->value);
     case FLAG_CHOICE:
         return parse_choice(text, flag->value);
-    case FLAG_ON:
-        *(double *)flag->value = 1.0;
-        return true;
-    case FLAG_WHOLE:
-        if (!parse_whole(flag, text, &whole))
+    case FLAG_SEED:
+        *(uint64_t *)flag->value = strtoull(text, &end, 10);
+        return end != text && !*end && errno == 0 && !strchr(text, '-');
+    case FLAG_INT:
+    case FLAG_LONG:
+    case FLAG_WHOLE: {
+        long whole = strtol(text, &end, 10);
+        if (end == text || *end || errno != 0 || !in_range(flag, (double)whole))
             return false;
-        *(double *)flag->value = (double)whole;
+        if (flag->kind == FLAG_INT)
+            *(int *)flag->value = (int)whole;
+        else if (flag->kind == FLAG_LONG)
+            *(long *)flag->value = whole;
+        else
+            *(double *)flag->value = (double)whole;
         return true;
-    case FLAG_NUMBER:
-        if (!parse_float(flag, text, &number))
+    }
+    case FLAG_FLOAT:
+    case FLAG_NUMBER: {
+        float number = strtof(text, &end);
+        if (end == text || *end || !in_range(flag, (double)number))
             return false;
-        *(double *)flag->value = (double)number;
+        if (flag->kind == FLAG_FLOAT)
+            *(float *)flag->value = number;
+        else
+            *(double *)flag->value = (double)number;
         return true;
+    }
     }
     return false;
 }

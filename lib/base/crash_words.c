@@ -7,23 +7,19 @@
 
 int crash_places(const char *text, SourcePlace *places, int most)
 {
-    int count = 0;
-    while (count < most && *text) {
-        // What the compiler made of a function has a point in its name: reflect.part.0.
-        size_t name = strcspn(text, ".\n"), first = strcspn(text, "\n");
-        const char *path = text + first + (text[first] == '\n');
-        const char *end = path + strcspn(path, "\n"), *colon = end;
-        while (colon > path && *colon != ':')
-            colon--;
-        const char *file = colon;
-        while (file > path && file[-1] != '/')
-            file--;
+    int count = 0, used;
+    char function[1024], path[4096];
+    for (; count < most && sscanf(text, "%1023[^\n] %4095[^\n] %n", function, path, &used) == 2; text += used) {
         SourcePlace *place = &places[count];
-        place->line = *colon == ':' ? atoi(colon + 1) : 0;
-        snprintf(place->function, sizeof place->function, "%.*s", (int)(name < 100 ? name : 100), text);
-        snprintf(place->file, sizeof place->file, "%.*s", (int)(colon - file < 200 ? colon - file : 200), file);
-        count += text[0] != '?';
-        text = end + (*end == '\n');
+        char *colon = strrchr(path, ':'), *slash;
+        place->line = colon ? atoi(colon + 1) : 0;
+        if (colon)
+            *colon = '\0';
+        slash = strrchr(path, '/');
+        // What the compiler made of a function has a point in its name: reflect.part.0.
+        snprintf(place->function, sizeof place->function, "%.*s", (int)strcspn(function, "."), function);
+        snprintf(place->file, sizeof place->file, "%.200s", slash ? slash + 1 : path);
+        count += function[0] != '?';
     }
     return count;
 }

@@ -2,7 +2,6 @@
 #include "base/file.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,68 +18,33 @@ char *text_read_file(const char *path, size_t max, size_t *size, Error *error)
     return text;
 }
 
-static bool is_digit(const char *at, const char *end)
-{
-    return at < end && *at >= '0' && *at <= '9';
-}
-
-static double scale_by_ten(double value, long exponent)
-{
-    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    for (; exponent > 22 && isfinite(value); exponent -= 22)
-        value *= 1e22;
-    for (; exponent < -22 && value != 0; exponent += 22)
-        value /= 1e22;
-    if (exponent > 22 || exponent < -22)
-        return value; // already infinity or 0
-    return exponent < 0 ? value / powers[-exponent] : value * powers[exponent];
-}
-
-// Reads "e-12" and gives −12; 0 when no exponent stands there.
-static long read_exponent(const char **at, const char *end)
-{
-    const char *p = *at;
-    if (p >= end || (*p != 'e' && *p != 'E'))
-        return 0;
-    bool negative = ++p < end && *p == '-';
-    if (p < end && (*p == '-' || *p == '+'))
-        p++;
-    if (!is_digit(p, end))
-        return 0;
-    long exponent = 0;
-    for (; is_digit(p, end); p++)
-        exponent = exponent < 100000 ? exponent * 10 + (*p - '0') : exponent;
-    *at = p;
-    return negative ? -exponent : exponent;
-}
-
+// Digits and a point are read here, quickly, and exactly while digits < 2⁵³ and scale ≤ 10²². Others go to strtod, in a
+// copy, since no 0 byte need follow the text; nobody here calls setlocale, so that its decimal point is a point.
 bool text_number(const char **at, const char *end, double *value)
 {
     const char *p = *at;
-    bool negative = p < end && *p == '-';
-    if (p < end && (*p == '-' || *p == '+'))
-        p++;
-    // Eighteen digits fit into 64 bits; further ones only move the decimal point.
-    unsigned long long digits = 0;
-    long exponent = 0;
-    bool any = false, after_point = false;
-    for (; is_digit(p, end) || (p < end && *p == '.' && !after_point); p++) {
+    bool negative = p < end && *p == '-', any = false, after_point = false;
+    double digits = 0.0, scale = 1.0;
+    p += p < end && (*p == '-' || *p == '+');
+    for (; p < end && ((*p >= '0' && *p <= '9') || (*p == '.' && !after_point)); p++) {
         if (*p == '.') {
             after_point = true;
             continue;
         }
         any = true;
-        bool fits = digits < 100000000000000000ull;
-        if (fits)
-            digits = digits * 10 + (unsigned)(*p - '0');
-        exponent += (fits ? 0 : 1) - (after_point ? 1 : 0);
+        digits = digits * 10.0 + (*p - '0');
+        scale = after_point ? scale * 10.0 : scale;
     }
     if (!any)
         return false;
-    *value = scale_by_ten((double)digits, exponent + read_exponent(&p, end));
-    if (negative)
-        *value = -*value;
+    *value = (negative ? -digits : digits) / scale;
+    if (digits > 9e15 || scale > 1e22 || (p < end && (*p == 'e' || *p == 'E'))) {
+        char copy[400], *rest;
+        ptrdiff_t length = p - *at + 24 < end - *at ? p - *at + 24 : end - *at; // with the exponent
+        snprintf(copy, sizeof copy, "%.*s", (int)length, *at);
+        *value = strtod(copy, &rest);
+        p = *at + (rest - copy);
+    }
     *at = p;
     return true;
 }
