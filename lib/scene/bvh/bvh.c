@@ -97,29 +97,27 @@ static void pack_spheres(const Shapes *shapes, const Reference *references, Run 
     }
 }
 
-// The tree over the shapes, and its packets, which the caller owns; NULL when memory is short.
-static void *build_tree(const Shapes *shapes, Tree *tree)
+// The tree over the shapes, and its packets, which the caller owns. False when memory is short.
+static bool build_tree(const Shapes *shapes, Tree *tree)
 {
     Reference *references = bvh_allocate(shapes->count * sizeof *references);
     Run *runs = NULL;
-    char *packets = NULL;
     if (references) {
         OMP(omp parallel for schedule(static) if (shapes->count > TASK_COUNT))
         for (size_t i = 0; i < shapes->count; i++)
             references[i] = reference_create(shapes->box(shapes->items, i), i);
     }
     if (references && bvh_build_tree(references, shapes->count, tree, &runs))
-        packets = bvh_allocate(tree->packet_count * shapes->packet_size);
-    if (packets) {
+        tree->packets = bvh_allocate(tree->packet_count * shapes->packet_size);
+    if (tree->packets) {
         OMP(omp parallel for schedule(static) if (shapes->count > TASK_COUNT))
         for (uint32_t i = 0; i < tree->packet_count; i++)
-            shapes->pack(shapes, references, runs[i], packets + i * shapes->packet_size);
+            shapes->pack(shapes, references, runs[i], tree->packets + i * shapes->packet_size);
     }
-    tree->packets = packets;
     tree->packet_size = shapes->packet_size;
     free(runs);
     free(references);
-    return packets;
+    return tree->packets != NULL;
 }
 
 static void add_bounds(Box *box, const Shapes *shapes)
@@ -136,8 +134,7 @@ Bvh *bvh_build(const Flat *flats, size_t flat_count, const Sphere *spheres, size
     const Shapes all_flats = {flats, flat_count, 0, flat_box, pack_flats, sizeof(FlatPacket)};
     const Shapes all_spheres = {spheres, sphere_count, flat_count, sphere_box, pack_spheres, sizeof(SpherePacket)};
     Bvh *bvh = calloc(1, sizeof *bvh);
-    if (bvh && (bvh->flat_packets = build_tree(&all_flats, &bvh->flats)) &&
-        (bvh->sphere_packets = build_tree(&all_spheres, &bvh->spheres))) {
+    if (bvh && build_tree(&all_flats, &bvh->flats) && build_tree(&all_spheres, &bvh->spheres)) {
         bvh->bounds = box_empty();
         add_bounds(&bvh->bounds, &all_flats);
         add_bounds(&bvh->bounds, &all_spheres);
@@ -154,15 +151,9 @@ void bvh_free(Bvh *bvh)
         return;
     free(bvh->flats.nodes);
     free(bvh->spheres.nodes);
-    free(bvh->flat_packets);
-    free(bvh->sphere_packets);
+    free(bvh->flats.packets);
+    free(bvh->spheres.packets);
     free(bvh);
-}
-
-size_t bvh_bytes(const Bvh *bvh)
-{
-    return sizeof *bvh + ((size_t)bvh->flats.node_count + bvh->spheres.node_count) * sizeof(Node) +
-           bvh->flats.packet_count * sizeof(FlatPacket) + bvh->spheres.packet_count * sizeof(SpherePacket);
 }
 
 Box bvh_bounds(const Bvh *bvh)

@@ -32,7 +32,6 @@ bool bvh_closest(const Bvh *bvh, const Ray *ray, float t_min, float t_max, BvhHi
 // Is there any hit with t_min < t < t_max, other than on primitive `except` (NO_PRIMITIVE: none excepted)?
 bool bvh_occluded(const Bvh *bvh, const Ray *ray, float t_min, float t_max, uint32_t except);
 
-size_t bvh_bytes(const Bvh *bvh);
 Box bvh_bounds(const Bvh *bvh); // of everything; box_empty() when there is nothing
 
 #endif

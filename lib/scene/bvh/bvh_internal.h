@@ -54,14 +54,12 @@ typedef struct {
     Node *nodes;
     uint32_t root; // NO_CHILD: the tree is empty
     uint32_t node_count, packet_count;
-    const char *packets; // of either kind, for prefetching
+    char *packets; // FlatPackets or SpherePackets
     size_t packet_size;
 } Tree;
 
 struct Bvh {
     Tree flats, spheres;
-    FlatPacket *flat_packets;
-    SpherePacket *sphere_packets;
     Box bounds;
 };
 

@@ -79,9 +79,9 @@ static INLINE void leaf_closest(const Bvh *bvh, const Tree *tree, uint32_t leaf,
     uint32_t end = leaf_end(leaf);
     for (uint32_t packet = leaf & FIRST_PACKET; packet < end; packet++)
         if (tree == &bvh->flats)
-            flats_closest(&bvh->flat_packets[packet], ray, expected, best);
+            flats_closest((const FlatPacket *)tree->packets + packet, ray, expected, best);
         else
-            spheres_closest(&bvh->sphere_packets[packet], ray, best);
+            spheres_closest((const SpherePacket *)tree->packets + packet, ray, best);
 }
 
 // Not inlined: within the loop of the traversal, too few registers are left for it.
@@ -204,8 +204,9 @@ static inline bool leaf_occluded(const Bvh *bvh, const Tree *tree, uint32_t leaf
     uint32_t end = leaf_end(leaf);
     Int4 found = int4_all(0);
     for (uint32_t packet = leaf & FIRST_PACKET; packet < end; packet++)
-        found |= tree == &bvh->flats ? flats_occlude(&bvh->flat_packets[packet], ray, float4_all(t_max))
-                                     : spheres_occlude(&bvh->sphere_packets[packet], ray, float4_all(t_max));
+        found |= tree == &bvh->flats
+                     ? flats_occlude((const FlatPacket *)tree->packets + packet, ray, float4_all(t_max))
+                     : spheres_occlude((const SpherePacket *)tree->packets + packet, ray, float4_all(t_max));
     return int4_bits(found) != 0;
 }
 
