@@ -16,6 +16,12 @@ typedef struct {
     uint32_t from;
 } Ray;
 
+// The way that a mirror sends a ray: the library's own, so that eye rays do not depend on a student's step 1.1.
+static inline Vec3 mirror_direction(Vec3 direction, Vec3 normal)
+{
+    return vec3_along(direction, normal, -2.0f * vec3_dot(direction, normal));
+}
+
 typedef struct {
     Vec3 low, high; // empty when low > high
 } Box;

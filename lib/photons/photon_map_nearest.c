@@ -190,8 +190,7 @@ size_t photon_map_nearest(const PhotonMap *map, Vec3 point, size_t k, float *rad
     search_tree(&search);
     // Too few: the guess was too small. The second step is to the caller's own limit.
     for (float growth = 4.0f; search.found < k && limit < *radius2; growth = INFINITY) {
-        limit = growth < INFINITY ? fminf(*radius2, limit * growth) : *radius2;
-        search.limit = limit;
+        search.limit = limit = fminf(*radius2, limit * growth);
         search_tree(&search);
     }
     if (search.found < k)

@@ -6,7 +6,6 @@
 #include "render/radiance_cache.h"
 #include "render/render.h"
 #include "render/sampler.h"
-#include "scene/mirror.h"
 
 // One thread's eye.
 typedef struct {

@@ -67,10 +67,9 @@ Colour material_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec3 
 // what the lobe loses below the surface. Mirrors: ρ_s. Glass: 1. Lights: 0.
 Colour material_albedo(const Material *material, GlossyModel model, float cos_wi);
 
-// Fills the table for exponent n ≥ 0 by quadrature. Between its entries the functions below interpolate; relative
+// Fills the table for exponent n ≥ 0 by quadrature. lobe_lookup interpolates between the entries of either; relative
 // error below 1e-3 for n ≤ 1000 and θ ≤ 85°.
 void lobe_table_fill(LobeTable *table, float exponent);
-float lobe_above_surface(const LobeTable *table, float cos_theta);          // I_P
-float lobe_weighted_above_surface(const LobeTable *table, float cos_theta); // I_M
+float lobe_lookup(const float table[LOBE_TABLE_SIZE], float cos_theta);
 
 #endif

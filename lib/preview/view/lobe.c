@@ -27,7 +27,7 @@ float lobe_density(const Lobe *lobe, Vec3 direction)
     if (cosine <= 0.0f)
         return direction.z / PI;
     float share = 0.5f * (1.0f + mirror.z); // of diffuse directions that lie on the mirror direction's side
-    return share * height / lobe_above_surface(lobe->table, mirror.z);
+    return share * height / lobe_lookup(lobe->table->above, mirror.z);
 }
 
 bool lobe_prepare(float exponent, float angle, bool diffuse, StepChoice play, Lobe *lobe)

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static float lookup(const float *table, float cos_theta)
+float lobe_lookup(const float table[LOBE_TABLE_SIZE], float cos_theta)
 {
     float x = fminf(fmaxf(cos_theta, 0.0f), 1.0f) * (LOBE_TABLE_SIZE - 1);
     int i = (int)x;
@@ -12,16 +12,6 @@ static float lookup(const float *table, float cos_theta)
         return table[LOBE_TABLE_SIZE - 1];
     float f = x - (float)i;
     return table[i] * (1.0f - f) + table[i + 1] * f;
-}
-
-float lobe_above_surface(const LobeTable *table, float cos_theta)
-{
-    return lookup(table->above, cos_theta);
-}
-
-float lobe_weighted_above_surface(const LobeTable *table, float cos_theta)
-{
-    return lookup(table->weighted, cos_theta);
 }
 
 // A ring of directions at angle alpha from the mirror direction, which is theta from the normal: its height above the
@@ -74,7 +64,7 @@ static float lobe_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec
     // sample; elsewhere the draw stayed, with the density cosθ_o/π of Lambert.
     if (cos_alpha <= 0.0f)
         return 1.0f / PI;
-    float p = 0.5f * (1.0f + cos_i) * powf(cos_alpha, material->exponent) / lobe_above_surface(material->lobe, cos_i);
+    float p = 0.5f * (1.0f + cos_i) * powf(cos_alpha, material->exponent) / lobe_lookup(material->lobe->above, cos_i);
     return p / vec3_dot(n, wo);
 }
 
@@ -88,7 +78,7 @@ static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
 {
     float above = 1.0f;
     if (model == GLOSSY_PHONG)
-        above = (material->exponent + 2.0f) / (2.0f * PI) * lobe_weighted_above_surface(material->lobe, cos_wi);
+        above = (material->exponent + 2.0f) / (2.0f * PI) * lobe_lookup(material->lobe->weighted, cos_wi);
     return colour_add(material->diffuse, colour_scale(material->specular, above));
 }
 

@@ -1,5 +1,5 @@
 // A perfect mirror, which may be coloured.
-#include "scene/mirror.h"
+#include "math/ray.h"
 #include "scene/material_kind.h"
 
 static Colour albedo(const Material *material, GlossyModel model, float cos_wi)

@@ -25,7 +25,7 @@ TEST(densities_add_up)
     LobeTable *table = malloc(sizeof *table);
     assert_non_null(table);
     lobe_table_fill(table, 20);
-    float above = lobe_above_surface(table, cosf(60 * PI / 180)) * 21 / (2 * PI);
+    float above = lobe_lookup(table->above, cosf(60 * PI / 180)) * 21 / (2 * PI);
     free(table);
     StepChoice phong = {GLOSSY_PHONG, false}, source = {GLOSSY_SOURCE_TEXT, false};
     assert_true(fabs(density_integral(phong, false) - (double)above) < 2e-3);

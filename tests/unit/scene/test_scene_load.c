@@ -50,7 +50,7 @@ TEST(test_materials)
     assert_true(m[0].type == MATERIAL_DIFFUSE && m[0].diffuse.g == 0.6f && !m[0].lobe);
     assert_true(m[1].type == MATERIAL_GLOSSY && m[1].diffuse.r == 0.3f && m[1].specular.r == 0.7f &&
                 m[1].exponent == 50);
-    assert_near(lobe_above_surface(m[1].lobe, 1), 2 * 3.14159265 / 51, 1e-4); // the whole lobe: 2π/(n+1)
+    assert_near(lobe_lookup(m[1].lobe->above, 1), 2 * 3.14159265 / 51, 1e-4); // the whole lobe: 2π/(n+1)
     assert_true(m[2].type == MATERIAL_MIRROR && m[2].specular.r == 1 && m[2].specular.b == 1);
     assert_true(m[3].specular.g == 0.8f);
     assert_true(m[4].type == MATERIAL_GLASS && m[4].index[0] == 1.5f && m[4].index[2] == 1.5f && !m[4].disperses);
