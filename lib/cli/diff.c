@@ -21,12 +21,6 @@ typedef struct {
     bool json;
 } Arguments;
 
-static bool parse_mask(const char *text, ImageMask *m)
-{
-    char after;
-    return sscanf(text, "%d,%d,%d,%d%c", &m->x0, &m->y0, &m->x1, &m->y1, &after) == 4;
-}
-
 // 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
@@ -43,7 +37,9 @@ static int parse(int count, char **arguments, Arguments *a)
                            count, arguments, a->files);
     if (wrong)
         return wrong;
-    if (mask && !parse_mask(mask, &a->mask))
+    ImageMask *m = &a->mask;
+    char after;
+    if (mask && sscanf(mask, "%d,%d,%d,%d%c", &m->x0, &m->y0, &m->x1, &m->y1, &after) != 4)
         return report_usage("photonlab diff", "--mask %s: expected four whole numbers X0,Y0,X1,Y1", mask);
     Error error = {""};
     if (a->out && !image_path_is_known(a->out, &error))

@@ -38,11 +38,6 @@ bool scene_out_of_memory(const SceneFile *file)
     return error_set(file->error, "%s: not enough memory", file->name);
 }
 
-bool scene_memory_fault(const SceneEntry *entry)
-{
-    return scene_out_of_memory(entry->file);
-}
-
 SceneValue *scene_value(const SceneEntry *entry, const char *key)
 {
     for (size_t i = 0; i < entry->value_count; i++) {

@@ -78,6 +78,5 @@ const char *scene_word(SceneEntry *entry, const char *key);
 // "file:line:column: …" with the place of a key's value, or of the entry itself (NULL, or a key that the file does not
 // give). Always false.
 bool scene_fault(const SceneEntry *entry, const char *key, const char *format, ...) PRINTF_LIKE(3, 4);
-bool scene_memory_fault(const SceneEntry *entry); // "file: not enough memory"
 
 #endif

@@ -116,12 +116,6 @@ static Vec3 *read_vector(Reader *reader, const char *what, Vec3 **list, size_t *
     return &moved[(*count)++];
 }
 
-static bool read_point(Reader *reader)
-{
-    ObjMesh *mesh = reader->mesh;
-    return read_vector(reader, "point (v)", &mesh->points, &mesh->point_count, &mesh->point_capacity) != NULL;
-}
-
 static bool read_normal(Reader *reader)
 {
     ObjMesh *mesh = reader->mesh;
@@ -252,8 +246,9 @@ static const char unused_keywords[] =
 
 static bool read_statement(Reader *reader)
 {
+    ObjMesh *mesh = reader->mesh;
     if (is_word(reader, "v"))
-        return read_point(reader);
+        return read_vector(reader, "point (v)", &mesh->points, &mesh->point_count, &mesh->point_capacity);
     if (is_word(reader, "vn"))
         return read_normal(reader);
     if (is_word(reader, "f"))

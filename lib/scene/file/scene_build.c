@@ -1,4 +1,4 @@
-#include "scene/file/scene_build.h"
+#include "scene/file/scene_section.h"
 
 #include "base/array.h"
 #include "base/text.h"

@@ -1,5 +1,5 @@
 // Meshes: read, placed, and made into triangles of the scene.
-#include "scene/file/scene_build.h"
+#include "scene/file/scene_section.h"
 
 #include "scene/file/obj.h"
 #include "base/text.h"

@@ -1,5 +1,5 @@
 #include "base/text.h"
-#include "scene/file/scene_build.h"
+#include "scene/file/scene_section.h"
 
 static bool build_sphere(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
 {

@@ -96,7 +96,7 @@ static bool build(SceneEntry *entry, Material *material)
                            material->name, (double)most);
     material->lobe = calloc(1, sizeof *material->lobe);
     if (!material->lobe)
-        return scene_memory_fault(entry);
+        return scene_fault(entry, NULL, "not enough memory");
     lobe_table_fill(material->lobe, material->exponent);
     return true;
 }
