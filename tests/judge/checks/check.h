@@ -24,7 +24,8 @@ extern const char *const check_kind_names[CHECK_KINDS]; // "values", …
 typedef struct {
     char **lines;
     size_t count, capacity;
-    uint64_t seed; // of this check in this round; case i takes hash_u64(seed + i)
+    uint64_t seed;    // of this check in this round; case i takes hash_u64(seed + i)
+    const char *step; // whose check it is
 } Plan;
 
 // Memory that was asked for; without it the judge ends.

@@ -22,9 +22,9 @@ double survival(const double flux[3], const double reflectance[3])
 // A photon carries 1.5e-12 W of red: however dim it is, it flies on.
 static const double furnace_power[3] = {3e-8, 2e-8, 1e-8};
 
-void plan_furnace(Plan *plan, const char *step)
+void plan_furnace(Plan *plan)
 {
-    plan_paths(plan, SCENES "furnace.yaml", FURNACE_PHOTONS, 1, BATCH_BOUNCES, step);
+    plan_paths(plan, SCENES "furnace.yaml", FURNACE_PHOTONS, 1, BATCH_BOUNCES, plan->step);
 }
 
 // Of the photons that met `before` surfaces before: a share of Σ Φρ^k / Σ Φ, each with Φρ^k over that share.
@@ -83,10 +83,10 @@ void judge_furnace(const Results *results, Finding *finding)
 #define CORRIDOR_PHOTONS 1000
 #define CORRIDOR_DEPTH   20
 
-void plan_mirrors(Plan *plan, const char *step)
+void plan_mirrors(Plan *plan)
 {
-    plan_paths(plan, SCENES "mirrors.yaml", MIRROR_PHOTONS, 1, 2, step);
-    plan_paths(plan, SCENES "corridor.yaml", CORRIDOR_PHOTONS, 1, CORRIDOR_DEPTH, step);
+    plan_paths(plan, SCENES "mirrors.yaml", MIRROR_PHOTONS, 1, 2, plan->step);
+    plan_paths(plan, SCENES "corridor.yaml", CORRIDOR_PHOTONS, 1, CORRIDOR_DEPTH, plan->step);
 }
 
 // Half of the photons go to either mirror.
@@ -129,9 +129,9 @@ void judge_mirrors(const Results *results, Finding *finding)
 
 #define ROOM_PHOTONS 4000
 
-void plan_room(Plan *plan, const char *step)
+void plan_room(Plan *plan)
 {
-    plan_paths(plan, SCENES "room.yaml", ROOM_PHOTONS, 1, 60, step);
+    plan_paths(plan, SCENES "room.yaml", ROOM_PHOTONS, 1, 60, plan->step);
 }
 
 // The walls and the block alone take light: (1−ρ) of what is stored on them, if all that arrives is stored, once.

@@ -1,21 +1,21 @@
 // Checks that steps 1.5 and 3.4 share: what a photon does on rough surfaces and mirrors, and the energy of a whole
-// room. The plans take the step that plays.
+// room. The step that is graded plays.
 #ifndef PHOTONLAB_STEPS_PATH_SCENES_H
 #define PHOTONLAB_STEPS_PATH_SCENES_H
 
 #include "judge/checks/path_batches.h"
 
-void plan_furnace(Plan *plan, const char *step);
+void plan_furnace(Plan *plan);
 void judge_furnace(const Results *results, Finding *finding);
 // path_spots.c
-void plan_spot(Plan *plan, const char *step);
+void plan_spot(Plan *plan);
 void judge_spot(const Results *results, Finding *finding);
-void plan_glossy_spot(Plan *plan, const char *step);
+void plan_glossy_spot(Plan *plan);
 void judge_glossy_spot(const Results *results, Finding *finding);
 // path_scenes.c
-void plan_mirrors(Plan *plan, const char *step);
+void plan_mirrors(Plan *plan);
 void judge_mirrors(const Results *results, Finding *finding);
-void plan_room(Plan *plan, const char *step);
+void plan_room(Plan *plan);
 void judge_room(const Results *results, Finding *finding);
 
 // The power of the light in these scenes, W; the furnace's is its own.

@@ -7,14 +7,14 @@
 #define SPOT_PHOTONS 20000
 static const double plate_reflectance[3] = {0.8, 0.5, 0.3};
 
-void plan_spot(Plan *plan, const char *step)
+void plan_spot(Plan *plan)
 {
-    plan_paths(plan, SCENES "spot.yaml", SPOT_PHOTONS, 1, 2, step);
+    plan_paths(plan, SCENES "spot.yaml", SPOT_PHOTONS, 1, 2, plan->step);
 }
 
-void plan_glossy_spot(Plan *plan, const char *step)
+void plan_glossy_spot(Plan *plan)
 {
-    plan_paths(plan, SCENES "glossy_spot.yaml", SPOT_PHOTONS, 1, 2, step);
+    plan_paths(plan, SCENES "glossy_spot.yaml", SPOT_PHOTONS, 1, 2, plan->step);
 }
 
 // What leaves the plate: how many, and the mean and variance of their directions.

@@ -43,7 +43,7 @@ static void plan_checks(const GradeOptions *options, const StepChecks *checks, b
         const Check *check = &checks->checks[i];
         if (check->scene != scene)
             continue;
-        Plan plan = {.seed = seed_of(options, checks->id, check, round)};
+        Plan plan = {.seed = seed_of(options, checks->id, check, round), .step = checks->id};
         check->plan(&plan);
         cases->lines = must(realloc(cases->lines, (cases->count + plan.count + 1) * sizeof *cases->lines));
         if (plan.count > 0)

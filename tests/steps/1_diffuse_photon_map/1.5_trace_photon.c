@@ -3,36 +3,11 @@
 
 #include <math.h>
 
-static void plan_stored(Plan *plan)
-{
-    plan_furnace(plan, "1.5");
-}
-
-static void plan_diffuse(Plan *plan)
-{
-    plan_spot(plan, "1.5");
-}
-
-static void plan_glossy(Plan *plan)
-{
-    plan_glossy_spot(plan, "1.5");
-}
-
-static void plan_mirror(Plan *plan)
-{
-    plan_mirrors(plan, "1.5");
-}
-
-static void plan_energy(Plan *plan)
-{
-    plan_room(plan, "1.5");
-}
-
 #define GLASS_PHOTONS 20000
 
 static void plan_glass(Plan *plan)
 {
-    plan_paths(plan, SCENES "glass.yaml", GLASS_PHOTONS, 1, 2, "1.5");
+    plan_paths(plan, SCENES "glass.yaml", GLASS_PHOTONS, 1, 2, plan->step);
 }
 
 // Half of the photons meet this glass at 60°, where the loop takes them by the mean index. z: of the beam.
@@ -65,11 +40,12 @@ static void judge_glass(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(trace_photon,
               {"stored", "Photons are stored wherever they land, with the power they arrive with", CHECK_SAMPLES,
-               plan_stored, judge_furnace, true},
-              {"diffuse", "Photons fly on from diffuse surfaces", CHECK_SAMPLES, plan_diffuse, judge_spot, true},
-              {"glossy", "Photons fly on from glossy surfaces", CHECK_SAMPLES, plan_glossy, judge_glossy_spot, true},
-              {"mirror", "Photons fly on from mirrors, and leave nothing there", CHECK_SAMPLES, plan_mirror,
+               plan_furnace, judge_furnace, true},
+              {"diffuse", "Photons fly on from diffuse surfaces", CHECK_SAMPLES, plan_spot, judge_spot, true},
+              {"glossy", "Photons fly on from glossy surfaces", CHECK_SAMPLES, plan_glossy_spot, judge_glossy_spot,
+               true},
+              {"mirror", "Photons fly on from mirrors, and leave nothing there", CHECK_SAMPLES, plan_mirrors,
                judge_mirrors, true},
               {"glass", "Photons fly on from glass, and leave nothing there", CHECK_SAMPLES, plan_glass, judge_glass,
                true},
-              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_energy, judge_room, true}, PICTURE_1)
+              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room, true}, PICTURE_1)

@@ -4,31 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 
-static void plan_stored(Plan *plan)
-{
-    plan_furnace(plan, "3.4");
-}
-
-static void plan_diffuse(Plan *plan)
-{
-    plan_spot(plan, "3.4");
-}
-
-static void plan_glossy(Plan *plan)
-{
-    plan_glossy_spot(plan, "3.4");
-}
-
-static void plan_mirror(Plan *plan)
-{
-    plan_mirrors(plan, "3.4");
-}
-
-static void plan_energy(Plan *plan)
-{
-    plan_room(plan, "3.4");
-}
-
 #define PHOTONS 20000
 
 // A white beam at one face of glass: F_c and their mean, per channel.
@@ -101,7 +76,7 @@ static void expect_refracted(PathCase *c, const Face *f, int material)
 
 static void plan_entering(Plan *plan)
 {
-    plan_paths(plan, SCENES "glass.yaml", PHOTONS, 1, 2, "3.4");
+    plan_paths(plan, SCENES "glass.yaml", PHOTONS, 1, 2, plan->step);
 }
 
 // The first glass has a single index: it splits nothing, and the weights are 1.
@@ -138,7 +113,7 @@ static void judge_entering(const Results *results, Finding *finding)
 
 static void plan_leaving(Plan *plan)
 {
-    plan_paths(plan, SCENES "leaving.yaml", PHOTONS, 1, 2, "3.4");
+    plan_paths(plan, SCENES "leaving.yaml", PHOTONS, 1, 2, plan->step);
 }
 
 static void judge_leaving(const Results *results, Finding *finding)
@@ -157,7 +132,7 @@ static void judge_leaving(const Results *results, Finding *finding)
 
 static void plan_slab(Plan *plan)
 {
-    plan_paths(plan, SCENES "slab.yaml", PHOTONS, 1, 4, "3.4");
+    plan_paths(plan, SCENES "slab.yaml", PHOTONS, 1, 4, plan->step);
 }
 
 // Through both faces: (1−F̄) at the first, where white splits, (1−F_c) at the second, where nothing splits.
@@ -200,12 +175,13 @@ static void judge_slab(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(trace_photon_in_colour,
               {"stored", "Photons are stored wherever they land, with the power they arrive with", CHECK_SAMPLES,
-               plan_stored, judge_furnace, true},
-              {"diffuse", "Photons fly on from diffuse surfaces", CHECK_SAMPLES, plan_diffuse, judge_spot, true},
-              {"glossy", "Photons fly on from glossy surfaces", CHECK_SAMPLES, plan_glossy, judge_glossy_spot, true},
-              {"mirror", "Photons fly on from mirrors, and leave nothing there", CHECK_SAMPLES, plan_mirror,
+               plan_furnace, judge_furnace, true},
+              {"diffuse", "Photons fly on from diffuse surfaces", CHECK_SAMPLES, plan_spot, judge_spot, true},
+              {"glossy", "Photons fly on from glossy surfaces", CHECK_SAMPLES, plan_glossy_spot, judge_glossy_spot,
+               true},
+              {"mirror", "Photons fly on from mirrors, and leave nothing there", CHECK_SAMPLES, plan_mirrors,
                judge_mirrors, true},
               {"entering", "White light splits as it enters glass", CHECK_SAMPLES, plan_entering, judge_entering, true},
               {"leaving", "Glass reflects totally, colour by colour", CHECK_SAMPLES, plan_leaving, judge_leaving, true},
               {"slab", "Coloured photons keep their colour", CHECK_SAMPLES, plan_slab, judge_slab, true},
-              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_energy, judge_room, true}, PICTURE_3)
+              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room, true}, PICTURE_3)
