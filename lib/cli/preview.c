@@ -55,7 +55,7 @@ static const char help_end[] =
 #define PREVIEW_PATHS   1000
 
 typedef struct {
-    const char *scene, *camera, *framing, *steps, *photons_file, *reference_file;
+    const char *scene, *camera, *framing, *steps;
     Choice view, colour, context;
     int size[2];
     bool frame, no_wireframe, split;
@@ -109,9 +109,9 @@ static bool check(Arguments *a)
         image_path_is_known(options->snapshot, &error);
     if (options->every_save && (!options->snapshot || !options->source))
         error_set(&error, "--every-save: needs --snapshot, --watch and --build");
-    if (a->photons_file && (!options->snapshot || options->source))
+    if (options->given[0] && (!options->snapshot || options->source))
         error_set(&error, "--photons-file: needs --snapshot, and goes without --watch");
-    if (a->reference_file && !a->photons_file)
+    if (options->given[1] && !options->given[0])
         error_set(&error, "--reference-file: needs --photons-file");
     if (options->source && (!options->build || !options->code))
         error_set(&error, "--watch: needs --build and --code");
@@ -151,8 +151,8 @@ static int parse(int count, char **arguments, Arguments *a)
         {"no-wireframe", FLAG_PRESENT, &a->no_wireframe, 0, 0},
         {"context", FLAG_CHOICE, &a->context, 0, 0},
         {"code", FLAG_TEXT, &o->code, 0, 0},
-        {"photons-file", FLAG_TEXT, &a->photons_file, 0, 0},
-        {"reference-file", FLAG_TEXT, &a->reference_file, 0, 0},
+        {"photons-file", FLAG_TEXT, &o->given[0], 0, 0},
+        {"reference-file", FLAG_TEXT, &o->given[1], 0, 0},
         {"watch", FLAG_TEXT, &o->source, 0, 0},
         {"build", FLAG_TEXT, &o->build, 0, 0},
         {"report", FLAG_TEXT, &o->report, 0, 0},
@@ -175,7 +175,7 @@ static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *
     *view = view_default(scene);
     view->kind = (ViewKind)a->view.chosen;
     view->colour = (ColourMode)a->colour.chosen;
-    view->split = a->split || a->reference_file;
+    view->split = a->split || a->options.given[1];
     view->wireframe = !a->no_wireframe;
     view->flight = (double)a->flight;
     memcpy(view->settings, a->settings, sizeof view->settings);
@@ -215,20 +215,6 @@ static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *
     return preview_snapshot(scene, &options, broker, error);
 }
 
-static bool show_files(const Scene *scene, const Arguments *a, Error *error)
-{
-    Recording yours = {.photons = NULL}, reference = {.photons = NULL};
-    PreviewOptions options = a->options;
-    options.given = &yours;
-    options.given_reference = a->reference_file ? &reference : NULL;
-    bool ok = recording_read(a->photons_file, scene, &yours, error) &&
-              (!a->reference_file || recording_read(a->reference_file, scene, &reference, error)) &&
-              preview_snapshot(scene, &options, NULL, error);
-    recording_free(&yours);
-    recording_free(&reference);
-    return ok;
-}
-
 int command_preview(int count, char **arguments)
 {
     Arguments a;
@@ -246,10 +232,10 @@ int command_preview(int count, char **arguments)
         scene_free(scene);
         return report_usage("photonlab preview", "%s", error.message);
     }
-    Broker *broker = a.photons_file ? NULL : broker_start(scene, a.options.source, &error);
+    Broker *broker = a.options.given[0] ? NULL : broker_start(scene, a.options.source, &error);
     parallel_limit(0);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what happens is told when it happens, through a pipe, too
-    bool ok = a.photons_file ? show_files(scene, &a, &error) : broker && show(scene, &a, broker, &error);
+    bool ok = (broker || a.options.given[0]) && show(scene, &a, broker, &error);
     if (broker)
         broker_stop(broker);
     scene_free(scene);

@@ -74,7 +74,6 @@ static void choose_view(App *app)
     app->view.kind = (ViewKind)(app->key - '1');
     if (app->flying && !view_type(&app->view)->in_flight)
         toggle_flight(app);
-    session_need(&app->session);
 }
 
 // Arrows change what the present view chooses.
@@ -84,7 +83,6 @@ static void choose_within(App *app)
     int step = app->key == GLFW_KEY_RIGHT || app->key == GLFW_KEY_UP ? 1 : -1;
     if (view_type(&app->view)->choose)
         view_type(&app->view)->choose(&app->view, app->session.data[YOURS], sideways, step);
-    session_need(&app->session);
 }
 
 static void toggle_render(App *app)
@@ -95,25 +93,9 @@ static void toggle_render(App *app)
         session_render(&app->session, app->width, app->height);
 }
 
-static void toggle_list(App *app)
-{
-    app->view.help = !app->view.help;
-}
-
 static void next_colour(App *app)
 {
     app->view.colour = (ColourMode)((app->view.colour + 1) % COLOUR_COUNT);
-}
-
-static void toggle_split(App *app)
-{
-    app->view.split = !app->view.split;
-    session_need(&app->session);
-}
-
-static void toggle_wireframe(App *app)
-{
-    app->view.wireframe = !app->view.wireframe;
 }
 
 static void frame_all(App *app)
@@ -145,7 +127,6 @@ static bool toggle_setting(App *app)
         for (int j = 0; j < MOST_SETTINGS; j++)
             if (view_types[i]->settings[j].key == app->key) {
                 app->view.settings[i][j] = app->view.settings[i][j] == 0.0;
-                session_need(&app->session);
                 return true;
             }
     return false;
@@ -182,6 +163,7 @@ static void list_choices(char *text, size_t size)
 static const struct {
     const char *shown, *words;
     void (*act)(App *app);
+    size_t toggle; // or what it turns on and off: a bool of the App
     int keys[4];
     bool beside; // on the line of the one before
     bool held;   // goes on while it is held; the others would flicker
@@ -189,7 +171,7 @@ static const struct {
 } KEYS[] = {
     {.list = list_views},
     {"c", "colour by power, photon, bounce, material", next_colour, .keys = {'c'}},
-    {"b", "the reference beside yours", toggle_split, .keys = {'b'}},
+    {"b", "the reference beside yours", .toggle = offsetof(App, view.split), .keys = {'b'}},
     {.act = choose_within,
      .keys = {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN},
      .held = true,
@@ -201,10 +183,10 @@ static const struct {
     {"+ -", "more, fewer photons", change_photons, .keys = {'+', '-'}},
     {"r", "another seed", change_seed, .keys = {'r'}, .beside = true},
     {"p", "render what you see, by your code", toggle_render, .keys = {'p'}},
-    {"w", "wireframe", toggle_wireframe, .keys = {'w'}},
+    {"w", "wireframe", .toggle = offsetof(App, view.wireframe), .keys = {'w'}},
     {"s", "snapshot", save_snapshot, .keys = {'s'}, .beside = true},
     {"o", "report", open_report, .keys = {'o'}, .beside = true},
-    {"h", "this list", toggle_list, .keys = {'h'}},
+    {"h", "this list", .toggle = offsetof(App, view.help), .keys = {'h'}},
     {"q, esc", "quit", quit, .keys = {'q', GLFW_KEY_ESCAPE}, .beside = true},
 };
 enum { KEY_COUNT = sizeof KEYS / sizeof *KEYS };
@@ -228,8 +210,11 @@ static bool act(App *app)
 {
     for (int i = 0; i < KEY_COUNT; i++)
         for (int j = 0; j < 4; j++)
-            if (KEYS[i].keys[j] == app->key && KEYS[i].act && (!app->repeat || KEYS[i].held)) {
-                KEYS[i].act(app);
+            if (KEYS[i].keys[j] == app->key && (KEYS[i].act || KEYS[i].toggle) && (!app->repeat || KEYS[i].held)) {
+                if (KEYS[i].act)
+                    KEYS[i].act(app);
+                else
+                    *(bool *)((char *)app + KEYS[i].toggle) ^= true;
                 return true;
             }
     if (app->repeat || app->key < '1' || app->key >= '1' + VIEW_COUNT)

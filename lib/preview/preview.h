@@ -26,8 +26,7 @@ typedef struct {
     ContextKind context; // a snapshot is drawn in
     bool in_window;      // … in a hidden one: --context window
     View view;
-    Recording *given;           // photons to show; NULL: those of a run. With view.split
-    Recording *given_reference; // these, too. A snapshot takes their memory over, and runs nobody's code
+    const char *given[2]; // files of photons to show in a snapshot, with view.split the second's, too; NULL: a run's
 } PreviewOptions;
 
 // Opens the window and stays until it is closed. *no_window: the Error says why there is no window here.

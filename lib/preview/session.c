@@ -21,7 +21,7 @@ bool session_start(Session *session, const Scene *scene, const PreviewOptions *o
     if (options->source && options->build &&
         !(session->watch = watch_start(options->source, options->code, options->build, error)))
         return false;
-    if (!options->given)
+    if (!options->given[YOURS])
         session_ask_photons(session);
     return true;
 }

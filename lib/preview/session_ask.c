@@ -65,7 +65,6 @@ void session_ask_photons(Session *session)
     session->have[RUN_PHOTONS][REFERENCE] = false;
     session_stop(&session->runs[RUN_PHOTONS][REFERENCE]);
     session_ask_player(session, YOURS);
-    session_need(session);
 }
 
 static void need_lobe(Session *session)

@@ -86,7 +86,7 @@ void session_draw(const Session *session, const View *view, const char *help)
     list_status(session, status, sizeof status);
     list_faults(session, banner, sizeof banner);
     Captions captions = {.help = help, .bare = bare};
-    captions.status = bare || session->options->given ? NULL : status;
+    captions.status = bare || session->options->given[YOURS] ? NULL : status;
     captions.banner = bare ? NULL : banner;
     if (picture) {
         captions.picture = picture;

@@ -75,25 +75,27 @@ void snapshot_command(const Session *session, char *text, size_t size)
     }
 }
 
-static void show_given(Session *session, const PreviewOptions *options)
+static bool read_given(Session *session, const Scene *scene, Error *error)
 {
-    view_data_record(session->data[YOURS], *options->given);
-    *options->given = (Recording){.photons = NULL};
-    if (options->given_reference) {
-        view_data_record(session->data[REFERENCE], *options->given_reference);
-        *options->given_reference = (Recording){.photons = NULL};
+    for (int i = 0; i < PLAYERS; i++) {
+        Recording recording;
+        if (!session->options->given[i])
+            continue;
+        if (!recording_read(session->options->given[i], scene, &recording, error))
+            return false;
+        view_data_record(session->data[i], recording);
     }
+    return true;
 }
 
 // Draws what is there, when everything that the view needs is.
-static bool draw_and_write(Session *session, Error *error)
+static bool draw_and_write(Session *session, const Scene *scene, Error *error)
 {
     const PreviewOptions *options = session->options;
-    if (options->given)
-        show_given(session, options);
-    else
-        while (session_poll(session) || session_is_busy(session))
-            session_wait(session, 0.05);
+    if (!read_given(session, scene, error))
+        return false;
+    while (!options->given[YOURS] && (session_poll(session) || session_is_busy(session)))
+        session_wait(session, 0.05);
     if (session->fault[0] && !options->every_save)
         return error_set(error, "%s", session->fault);
     session_draw(session, session->view, NULL);
@@ -110,9 +112,9 @@ bool preview_snapshot(const Scene *scene, const PreviewOptions *options, Broker 
                                        : NULL;
     bool ok = canvas && session_start(&session, scene, options, &options->view, broker, canvas, error);
     if (ok && !options->every_save)
-        ok = draw_and_write(&session, error);
+        ok = draw_and_write(&session, scene, error);
     while (ok && options->every_save) {
-        if (draw_and_write(&session, error))
+        if (draw_and_write(&session, scene, error))
             printf("%s is new\n", options->snapshot);
         else
             puts(error->message); // the next save may fare better

@@ -47,17 +47,14 @@ static float bright_power(const Recording *recording)
 {
     enum { MOST = 4096 };
     float powers[MOST];
-    size_t stride = recording->count / MOST + 1, count = 0;
-    for (size_t i = 0; i < recording->count && count < MOST; i += stride) {
-        float power = colour_max(recording->photons[i].at.power);
-        if (power > 0.0f && isfinite(power))
-            powers[count++] = power;
-    }
-    bool none = count == 0; // all have left: of the legs, then
-    for (size_t i = 0; none && i < recording->leg_count && count < MOST; i++) {
-        float power = colour_max(recording->legs[i].power);
-        if (power > 0.0f && isfinite(power))
-            powers[count++] = power;
+    size_t count = 0;
+    for (int legs = 0; legs < 2 && count == 0; legs++) { // of the legs where all have left
+        size_t all = legs ? recording->leg_count : recording->count, stride = legs ? 1 : all / MOST + 1;
+        for (size_t i = 0; i < all && count < MOST; i += stride) {
+            float power = colour_max(legs ? recording->legs[i].power : recording->photons[i].at.power);
+            if (power > 0.0f && isfinite(power))
+                powers[count++] = power;
+        }
     }
     if (count == 0)
         return 1.0f;

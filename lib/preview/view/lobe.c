@@ -7,47 +7,33 @@
 
 #define NEAREST 300 // samples in an estimate: 6 % of noise
 
-Vec3 lobe_mirror(const Lobe *lobe)
-{
-    float angle = lobe->angle * (PI / 180.0f);
-    return vec3(sinf(angle), 0, cosf(angle));
-}
-
 float lobe_density(const Lobe *lobe, Vec3 direction)
 {
     if (direction.z <= 0.0f)
         return 0.0f;
     if (lobe->diffuse)
         return direction.z / PI;
-    Vec3 mirror = lobe_mirror(lobe);
-    float cosine = fminf(vec3_dot(mirror, direction), 1.0f);
+    float cosine = fminf(vec3_dot(lobe->mirror, direction), 1.0f);
     float height = cosine > 0.0f ? powf(cosine, lobe->exponent) : 0.0f;
     if (lobe->play.glossy == GLOSSY_PHONG)
         return (lobe->exponent + 1.0f) / (2.0f * PI) * height;
     if (cosine <= 0.0f)
         return direction.z / PI;
-    float share = 0.5f * (1.0f + mirror.z); // of diffuse directions that lie on the mirror direction's side
-    return share * height / lobe_lookup(lobe->table->above, mirror.z);
+    float share = 0.5f * (1.0f + lobe->mirror.z); // of diffuse directions that lie on the mirror direction's side
+    return share * height / lobe_lookup(lobe->table.above, lobe->mirror.z);
 }
 
-bool lobe_prepare(float exponent, float angle, bool diffuse, StepChoice play, Lobe *lobe)
+Lobe lobe_of(float exponent, float angle, bool diffuse, StepChoice play)
 {
-    *lobe = (Lobe){exponent, angle, diffuse, play, malloc(sizeof(LobeTable)), 1.0f};
-    if (!lobe->table)
-        return false;
-    lobe_table_fill(lobe->table, exponent);
-    float peak = lobe_density(lobe, lobe_mirror(lobe));
+    float radians = angle * (PI / 180.0f);
+    Lobe lobe = {exponent, vec3(sinf(radians), 0, cosf(radians)), diffuse, play, {{0}, {0}}, 0.0f};
+    lobe_table_fill(&lobe.table, exponent);
+    lobe.peak = lobe_density(&lobe, lobe.mirror);
     for (int i = 0; i <= 1000; i++) { // along the plane of incidence, where the peak is
         float polar = PI * ((float)i / 1000.0f - 0.5f);
-        peak = fmaxf(peak, lobe_density(lobe, vec3(sinf(polar), 0, cosf(polar))));
+        lobe.peak = fmaxf(lobe.peak, lobe_density(&lobe, vec3(sinf(polar), 0, cosf(polar))));
     }
-    lobe->peak = peak;
-    return true;
-}
-
-void lobe_free(Lobe *lobe)
-{
-    free(lobe->table);
+    return lobe;
 }
 
 Vec3 lobe_upright(Vec3 local)

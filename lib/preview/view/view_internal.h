@@ -86,16 +86,15 @@ float leg_flown(const PathLeg *leg, double flight);
 // ---- lobe ----
 // What step 2.3, 2.4 or 1.3 should do: directions about the normal +z, with the mirror direction in the xz plane.
 typedef struct {
-    float exponent, angle; // degrees, of the mirror direction to the normal
+    float exponent;
+    Vec3 mirror; // the mirror direction
     bool diffuse;
     StepChoice play;
-    LobeTable *table; // of the exponent
-    float peak;       // the highest density: it reaches out to 1
+    LobeTable table; // of the exponent
+    float peak;      // the highest density: it reaches out to 1
 } Lobe;
-// Free with lobe_free. False: no memory.
-bool lobe_prepare(float exponent, float angle, bool diffuse, StepChoice play, Lobe *lobe);
-void lobe_free(Lobe *lobe);
-Vec3 lobe_mirror(const Lobe *lobe);
+// `angle` of the mirror direction to the normal, degrees.
+Lobe lobe_of(float exponent, float angle, bool diffuse, StepChoice play);
 float lobe_density(const Lobe *lobe, Vec3 direction); // over directions, 1/sr
 // As it stands before the viewer: up is the normal, +y, and the mirror direction lies on the side of +x.
 Vec3 lobe_upright(Vec3 local);

@@ -29,7 +29,7 @@ static Vec3 surface_point(const Lobe *lobe, const Frame *frame, int ring, int sp
 
 static void add_surface(const Lobe *lobe, Vertices *list)
 {
-    Vec3 axis = lobe->diffuse ? vec3(0, 0, 1) : lobe_mirror(lobe);
+    Vec3 axis = lobe->diffuse ? vec3(0, 0, 1) : lobe->mirror;
     Frame frame = frame_about(axis);
     Rgba colour = {90, 200, 255, 150};
     for (int ring = 0; ring < RINGS; ring++)
@@ -55,7 +55,7 @@ static void add_arrow(Vertices *list, Vec3 from, Vec3 to, Rgba colour)
 // The surface as a disk, its normal, and the two directions.
 static void add_axes(const Lobe *lobe, Vertices *list)
 {
-    Vec3 mirror = lobe_mirror(lobe), origin = vec3(0, 0, 0);
+    Vec3 mirror = lobe->mirror, origin = vec3(0, 0, 0);
     Rgba disk = {120, 130, 150, 150};
     for (int i = 1; i <= 4; i++)
         vertices_circle(list, origin, vec3(1, 0, 0), vec3(0, 0, 1), 0.3f * (float)i,
@@ -106,10 +106,9 @@ static void draw(const Pane *pane)
     Cache *cloud = &data->caches[VIEW_LOBE][CLOUD], *lines = &data->caches[VIEW_LOBE][LINES];
     bool lines_known = cache_is(lines, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy});
     bool cloud_known = cache_is(cloud, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy, data->lobes});
-    Lobe lobe;
-    if ((!lines_known || !cloud_known) && lobe_prepare(exponent, angle, diffuse, play, &lobe)) {
+    if (!lines_known || !cloud_known) {
+        Lobe lobe = lobe_of(exponent, angle, diffuse, play);
         build(data, &lobe, !cloud_known);
-        lobe_free(&lobe);
     }
     Orbit orbit = lobe_orbit(pane);
     pane_look(pane, &orbit, (Box){{-2, -2, -2}, {2, 2, 2}});

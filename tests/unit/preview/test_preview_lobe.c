@@ -7,8 +7,7 @@ static double density_integral(StepChoice play, bool diffuse)
 {
     double sum = 0;
     int rings = 600, spokes = 600;
-    Lobe lobe;
-    assert_true(lobe_prepare(20, 60, diffuse, play, &lobe));
+    Lobe lobe = lobe_of(20, 60, diffuse, play);
     for (int i = 0; i < rings; i++)
         for (int j = 0; j < spokes; j++) {
             float z = ((float)i + 0.5f) / (float)rings, phi = 2 * PI * ((float)j + 0.5f) / (float)spokes;
@@ -16,7 +15,6 @@ static double density_integral(StepChoice play, bool diffuse)
             sum += (double)lobe_density(&lobe, vec3(level * cosf(phi), level * sinf(phi), z));
         }
     assert_true(lobe_density(&lobe, vec3(0, 0, -1)) == 0);
-    lobe_free(&lobe);
     return sum * 2 * (double)PI / (rings * spokes);
 }
 
@@ -57,12 +55,11 @@ static const struct {
 
 static Vec3 sample(const Lobe *lobe, StepFault fault, Rng *rng, float *weight)
 {
-    float angle = fault == UNTURNED ? 0.0f : lobe->angle * PI / 180.0f;
-    Vec3 normal = vec3(0, 0, 1), out = normal;
+    Vec3 normal = vec3(0, 0, 1), out = normal, mirror = fault == UNTURNED ? normal : lobe->mirror;
     *weight = 1.0f;
     if (lobe->diffuse)
         out = steps.scatter_diffuse(fault == UNTURNED ? vec3(sinf(1.0f), 0, cosf(1.0f)) : normal, rng);
-    else if (!steps.scatter_glossy(vec3(sinf(angle), 0, -cosf(angle)), normal, lobe->exponent, rng, &out, weight))
+    else if (!steps.scatter_glossy(vec3(mirror.x, 0, -mirror.z), normal, lobe->exponent, rng, &out, weight))
         *weight = 0.0f;
     return vec3_scale(out, fault == INSIDE_OUT ? -1.0f : fault == TOO_LONG ? 1.3f : 1.0f);
 }
@@ -89,13 +86,11 @@ typedef struct {
 static Distance cloud_distance(size_t setting, StepFault fault)
 {
     StepChoice play = {settings[setting].source_text ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG, false};
-    Lobe lobe;
     LobeCounts counts;
     Vertices cloud = {.items = NULL};
     Distance distance = {0};
     steps_play(play);
-    assert_true(
-        lobe_prepare(settings[setting].exponent, settings[setting].angle, settings[setting].diffuse, play, &lobe));
+    Lobe lobe = lobe_of(settings[setting].exponent, settings[setting].angle, settings[setting].diffuse, play);
     LobeSamples samples = samples_of(&lobe, fault);
     lobe_cloud(&lobe, &samples, &counts, &cloud);
     for (size_t i = 0; i < cloud.count; i++) {
@@ -111,7 +106,6 @@ static Distance cloud_distance(size_t setting, StepFault fault)
     distance.absorbed = counts.absorbed;
     distance.too_long = counts.not_unit;
     distance.below = counts.below;
-    lobe_free(&lobe);
     lobe_samples_free(&samples);
     vertices_free(&cloud);
     return distance;
@@ -145,11 +139,10 @@ TEST(wrong_samples_do_not)
 // What is no direction at all is counted, and makes no point.
 TEST(nothing_and_no_number_are_left_out)
 {
-    Lobe lobe;
     LobeCounts counts;
     Vertices cloud = {.items = NULL};
     steps_play(PLAY_DEFAULT);
-    assert_true(lobe_prepare(20, 60, false, PLAY_DEFAULT, &lobe));
+    Lobe lobe = lobe_of(20, 60, false, PLAY_DEFAULT);
     LobeSamples samples = samples_of(&lobe, RIGHT);
     size_t sound = 0;
     for (size_t i = 0; i < SAMPLES; i++) {
@@ -163,7 +156,6 @@ TEST(nothing_and_no_number_are_left_out)
     assert_int_equal(counts.not_unit, SAMPLES - counts.absorbed - sound);
     for (size_t i = 0; i < cloud.count; i++)
         assert_true(isfinite(cloud.items[i].x + cloud.items[i].y + cloud.items[i].z));
-    lobe_free(&lobe);
     lobe_samples_free(&samples);
     vertices_free(&cloud);
 }
