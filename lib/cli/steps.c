@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,9 +24,8 @@ static void print_table(void)
 static int refuse_id(const char *id)
 {
     char ids[16 * STEP_COUNT] = "";
-    size_t length = 0;
     for (size_t i = 0; i < STEP_COUNT; i++)
-        length += (size_t)snprintf(ids + length, sizeof ids - length, " %s", step_table[i].id);
+        text_append(ids, sizeof ids, " %s", step_table[i].id);
     return report_usage("photonlab steps", "--hint %s: no such step; there are%s", id, ids);
 }
 

@@ -90,7 +90,7 @@ static void toggle_render(App *app)
     if (app->session.runs[RUN_RENDER][YOURS])
         session_stop_render(&app->session);
     else if (!view_type(&app->view)->of_step)
-        session_render(&app->session, app->width, app->height);
+        session_render(&app->session);
 }
 
 static void next_colour(App *app)

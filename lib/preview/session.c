@@ -55,7 +55,7 @@ static void rebuilt(Session *session)
     session->asked_by = "save";
     session->after_save = true; // until the window has shown it
     if (session->runs[RUN_RENDER][YOURS])
-        session_render(session, session->render_width, session->render_height);
+        session_render(session);
 }
 
 static bool poll_watch(Session *session)

@@ -24,12 +24,11 @@ typedef struct {
 
     long photons;
     uint64_t seed;
-    double asked_at;                 // clock_seconds() of the save or key that the coming photons answer
-    const char *asked_by;            // "start", "key" or "save"
-    bool after_save, answered;       // … and its photons, or the first of them, are there
-    bool coming;                     // data[COMING] is what to show
-    double next_look;                // clock_seconds(), at photons on their way
-    int render_width, render_height; // of the picture that is rendered
+    double asked_at;           // clock_seconds() of the save or key that the coming photons answer
+    const char *asked_by;      // "start", "key" or "save"
+    bool after_save, answered; // … and its photons, or the first of them, are there
+    bool coming;               // data[COMING] is what to show
+    double next_look;          // clock_seconds(), at photons on their way
     bool building;
     bool timed; // words may tell seconds; not in snapshots, which are the same every time
 
@@ -65,7 +64,7 @@ bool session_is_busy(const Session *session);
 // Sleeps until something comes or the time is up.
 void session_wait(Session *session, double seconds);
 
-void session_render(Session *session, int width, int height);
+void session_render(Session *session); // as large as the canvas
 void session_stop_render(Session *session);
 
 // The student's data as they are to be shown now.

@@ -97,14 +97,12 @@ void session_need(Session *session)
         need_lobe(session);
 }
 
-void session_render(Session *session, int width, int height)
+void session_render(Session *session)
 {
-    session->render_width = width;
-    session->render_height = height;
     RunRequest request = request_for(session, YOURS, RUN_RENDER);
     request.camera = orbit_camera(&session->view->orbit);
-    request.width = width;
-    request.height = height;
+    request.width = canvas_width(session->canvas);
+    request.height = canvas_height(session->canvas);
     start(session, YOURS, &request);
 }
 

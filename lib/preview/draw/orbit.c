@@ -6,12 +6,6 @@
 #define LEAST_BOX     1e-6f
 #define NEAREST_PLANE 1e-3f // of the far plane: 24 bits of depth are enough for that
 
-static Vec3 orbit_forward(const Orbit *orbit)
-{
-    float level = cosf(orbit->pitch);
-    return vec3(sinf(orbit->yaw) * level, -sinf(orbit->pitch), -cosf(orbit->yaw) * level);
-}
-
 static bool box_is_sound(Box box)
 {
     return box.low.x <= box.high.x && isfinite(box.low.x + box.low.y + box.low.z) &&
@@ -101,11 +95,11 @@ void orbit_zoom(Orbit *orbit, float factor)
 
 Camera orbit_camera(const Orbit *orbit)
 {
-    Vec3 forward = orbit_forward(orbit);
-    Vec3 position = vec3_along(orbit->target, forward, -orbit->distance);
+    float level = cosf(orbit->pitch);
+    Vec3 forward = vec3(sinf(orbit->yaw) * level, -sinf(orbit->pitch), -cosf(orbit->yaw) * level);
     Vec3 right = vec3(cosf(orbit->yaw), 0, sinf(orbit->yaw)); // sound straight down, too
     return (Camera){
-        .position = position,
+        .position = vec3_along(orbit->target, forward, -orbit->distance),
         .forward = forward,
         .right = right,
         .up = vec3_cross(right, forward),

@@ -38,26 +38,25 @@ static const char *ascii_for(const char *text)
     return "?";
 }
 
-// The text as the font can show it, in memory of its own: it knows 32…126 and the line's end, and reads past its table
-// for anything else. Another letter of several bytes (UTF-8) becomes one `?`.
-static char *printable(const char *text)
+#define MOST_LETTERS 4096
+
+// The text as the font can show it: it knows 32…126 and the line's end, and reads past its table for anything else.
+// Another letter of several bytes (UTF-8) becomes one `?`.
+static char *printable(const char *text, char letters[MOST_LETTERS])
 {
-    char *copy = malloc(strlen(text) + 1), *end = copy;
-    if (!copy)
-        return NULL;
-    for (; *text; text++) {
+    char *end = letters;
+    for (; *text && end < letters + MOST_LETTERS - 3; text++) {
         unsigned char c = (unsigned char)*text;
         if ((c & 0xC0) == 0x80)
             continue;
-        if (c == '\n' || (c >= 32 && c < 127)) {
+        if (c == '\n' || (c >= 32 && c < 127))
             *end++ = (char)c;
-            continue;
-        }
-        for (const char *letter = c < 128 ? "?" : ascii_for(text); *letter; letter++)
-            *end++ = *letter;
+        else
+            for (const char *letter = c < 128 ? "?" : ascii_for(text); *letter; letter++)
+                *end++ = *letter;
     }
     *end = '\0';
-    return copy;
+    return letters;
 }
 
 // Puts the quad of four corners there as two triangles.
@@ -74,11 +73,11 @@ static void put_quad(Vertex *triangles, const Vertex quad[4], float x, float y, 
 Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *text, size_t *count)
 {
     *count = 0;
-    char *letters = printable(text);
-    size_t most = letters ? strlen(letters) * QUADS_PER_LETTER : 0;
+    char letters[MOST_LETTERS];
+    size_t most = strlen(printable(text, letters)) * QUADS_PER_LETTER;
     Vertex *quads = malloc((most * 4 + 1) * sizeof *quads);
     Vertex *triangles = malloc((most * 6 + 1) * sizeof *triangles);
-    if (letters && quads && triangles) {
+    if (quads && triangles) {
         unsigned char ink[4] = {colour.r, colour.g, colour.b, colour.a};
         int made = stb_easy_font_print(0, 0, letters, ink, quads, (int)(most * 4 * sizeof *quads));
         // Whole pixels: a stroke between two would be there or not by chance.
@@ -89,16 +88,13 @@ Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *te
         *count = 6 * (size_t)made;
     }
     free(quads);
-    free(letters);
     return triangles;
 }
 
 float canvas_text_width(float scale, const char *text)
 {
-    char *letters = printable(text);
-    float width = letters ? scale * (float)stb_easy_font_width(letters) : 0;
-    free(letters);
-    return width;
+    char letters[MOST_LETTERS];
+    return scale * (float)stb_easy_font_width(printable(text, letters));
 }
 
 #else
