@@ -101,8 +101,9 @@ static bool check(Arguments *a)
     Error error = {""};
     options->width = a->size[0];
     options->height = a->size[1];
-    options->in_window = a->context.chosen == CONTEXT_EGL;
-    options->context = options->in_window ? CONTEXT_ANY : (ContextKind)(a->context.chosen + 1);
+    int context = 1 + a->context.chosen;
+    options->in_window = context > CONTEXT_EGL;
+    options->context = options->in_window ? CONTEXT_ANY : (ContextKind)context;
     if (a->steps)
         options->play_is_given = step_choice_parse(a->steps, &options->play, &error);
     if (options->snapshot)
@@ -123,7 +124,7 @@ static bool check(Arguments *a)
 // 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
-    static const char *const CONTEXTS[] = {"osmesa", "egl", "window", NULL};
+    static const char *const CONTEXTS[] = {"osmesa", "egl", "window", NULL}; // as ContextKind has them, after any
     *a = (Arguments){.view = {view_names, 0},
                      .colour = {colour_names, 0},
                      .context = {CONTEXTS, -1},
