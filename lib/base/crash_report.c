@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -28,11 +29,7 @@ unsigned long long crash_peak_kb(void)
         close(fd);
     text[size > 0 ? size : 0] = '\0';
     const char *line = strstr(text, "VmPeak:");
-    unsigned long long value = 0;
-    for (const char *c = line ? line + 7 : ""; *c && *c != '\n'; c++)
-        if (*c >= '0' && *c <= '9')
-            value = 10 * value + (unsigned long long)(*c - '0');
-    return value;
+    return line ? strtoull(line + 7, NULL, 10) : 0;
 }
 
 // Where the program was, and its stack's lower end; NULL where this system's way to tell is not known.

@@ -2,6 +2,13 @@
 #ifndef PHOTONLAB_PARALLEL_H
 #define PHOTONLAB_PARALLEL_H
 
+// OMP(omp parallel): a pragma that is nothing without OpenMP.
+#ifdef _OPENMP
+#define OMP(...) _Pragma(#__VA_ARGS__)
+#else
+#define OMP(...)
+#endif
+
 // All cores when `wanted` is 0, otherwise what is wanted.
 int parallel_threads(int wanted);
 

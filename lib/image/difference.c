@@ -23,23 +23,19 @@ static bool is_masked(ImageMask mask, int column, int row)
     return column >= mask.x0 && column < mask.x1 && row >= mask.y0 && row < mask.y1;
 }
 
-// Sums over the pixels compared, per channel.
-typedef struct {
-    double squares[3], relative[3], image[3], reference[3];
-} Sums;
-
-// Adds one pixel to the sums; returns its relative error, summed over the channels.
-static double add_pixel(Sums *sums, Colour x, Colour r)
+// Adds one pixel to sums over all that are compared, mean_ratio's to that over the image and to that over the
+// reference; returns its relative error, summed over the channels.
+static double add_pixel(ImageDifference *sums, double reference[3], Colour x, Colour r)
 {
     double all = 0.0;
     for (int c = 0; c < 3; c++) {
         double value = colour_channel(x, c), truth = colour_channel(r, c);
         double square = (value - truth) * (value - truth);
         double relative = square / (truth * truth + 0.01);
-        sums->squares[c] += square;
-        sums->relative[c] += relative;
-        sums->image[c] += value;
-        sums->reference[c] += truth;
+        sums->rmse[c] += square;
+        sums->relative_mse[c] += relative;
+        sums->mean_ratio[c] += value;
+        reference[c] += truth;
         all += relative;
     }
     return all;
@@ -51,14 +47,14 @@ static double ratio(double image, double reference)
     return image == reference ? 1.0 : image / reference;
 }
 
-static void divide(const Sums *sums, size_t pixels, ImageDifference *result)
+// From sums to means.
+static void divide(ImageDifference *result, const double reference[3])
 {
-    *result = (ImageDifference){.pixels = pixels};
-    double count = (double)pixels;
+    double count = (double)result->pixels;
     for (int c = 0; c < 3; c++) {
-        result->rmse[c] = sqrt(sums->squares[c] / count);
-        result->relative_mse[c] = sums->relative[c] / count;
-        result->mean_ratio[c] = ratio(sums->image[c], sums->reference[c]);
+        result->rmse[c] = sqrt(result->rmse[c] / count);
+        result->relative_mse[c] /= count;
+        result->mean_ratio[c] = ratio(result->mean_ratio[c], reference[c]);
         result->relative_mse_all += result->relative_mse[c] / 3.0;
     }
 }
@@ -82,21 +78,21 @@ bool image_difference(const Image *image, const Image *reference, ImageMask mask
     double *errors = malloc((size_t)image->width * (size_t)image->height * sizeof *errors);
     if (!errors)
         return error_set(error, "no memory to compare %d×%d pixels", image->width, image->height);
-    Sums sums = {{0}, {0}, {0}, {0}};
-    size_t pixels = 0;
+    double sums[3] = {0.0};
     for (int row = 0; row < image->height; row++)
         for (int column = 0; column < image->width; column++)
             if (!is_masked(mask, column, row))
-                errors[pixels++] = add_pixel(&sums, *image_at(image, column, row), *image_at(reference, column, row));
-    if (pixels) {
-        divide(&sums, pixels, result);
-        result->relative_mse_trimmed = trimmed_mean(errors, pixels);
+                errors[result->pixels++] =
+                    add_pixel(result, sums, *image_at(image, column, row), *image_at(reference, column, row));
+    if (result->pixels > 0) {
+        divide(result, sums);
+        result->relative_mse_trimmed = trimmed_mean(errors, result->pixels);
     } else {
         error_set(error, "nothing to compare: the mask (columns %d to %d, rows %d to %d) covers the image of %d×%d",
                   mask.x0, mask.x1, mask.y0, mask.y1, image->width, image->height);
     }
     free(errors);
-    return pixels > 0;
+    return result->pixels > 0;
 }
 
 // How much brighter the image is at pixel i, as the mean over the channels.

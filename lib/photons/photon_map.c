@@ -16,6 +16,7 @@
 //      first radius is a guess (guess_limit).
 // tests/unit/photons/test_photon_map.c compares the answers with a look at all photons, from none to 64 and for many.
 #include "photons/photon_map_internal.h"
+#include "base/parallel.h"
 
 #include <stdlib.h>
 
@@ -66,11 +67,9 @@ static void build_range(const Builder *builder, int level, size_t index)
     size_t middle = leaf_begin(map, (2 * index + 1) << (halvings - 1));
     photon_map_halve(map->photons + begin, end - begin, box, middle - begin, builder->values + begin);
     if (end - begin > TASK_PHOTONS) {
-#ifdef _OPENMP
-#pragma omp task
-#endif
+        OMP(omp task)
         build_range(builder, level + 1, 2 * index);
-    } else {
+    } else { // not `if` in the task's own line: it would cost something for each of a million ranges
         build_range(builder, level + 1, 2 * index);
     }
     build_range(builder, level + 1, 2 * index + 1);
@@ -114,10 +113,8 @@ static bool build_tree(PhotonMap *map, Error *error)
         map->nodes[i / 12].high[i / 4 % 3][i % 4] = -INFINITY;
     }
     Builder builder = {map, values};
-#ifdef _OPENMP
-#pragma omp parallel if (map->count > TASK_PHOTONS)
-#pragma omp single
-#endif
+    OMP(omp parallel if (map->count > TASK_PHOTONS))
+    OMP(omp single)
     build_range(&builder, 0, 0);
     free(values);
     return true;

@@ -6,14 +6,9 @@
 #ifndef PHOTONLAB_SCENE_BVH_INTERNAL_H
 #define PHOTONLAB_SCENE_BVH_INTERNAL_H
 
+#include "base/parallel.h"
 #include "scene/bvh/bvh.h"
 #include "scene/bvh/bvh_lanes.h"
-
-#ifdef _OPENMP
-#define OMP(...) _Pragma(#__VA_ARGS__)
-#else
-#define OMP(...)
-#endif
 
 #define WIDTH      8    // children of a node; a multiple of LANES
 #define PACKET     4    // primitives in a packet

@@ -25,12 +25,10 @@ typedef struct {
 
 static inline BoxRay box_ray(const Ray *ray, float t_min)
 {
-    const float origin[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
-    const float direction[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
     BoxRay r;
     for (int axis = 0; axis < 3; axis++) {
-        float inverse = 1.0f / direction[axis]; // ±∞ is fine
-        r.origin[axis] = lanes_all(origin[axis]);
+        float inverse = 1.0f / vec3_component(ray->direction, axis); // ±∞ is fine
+        r.origin[axis] = lanes_all(vec3_component(ray->origin, axis));
         r.inverse[axis] = lanes_all(inverse);
         r.near[axis] = inverse < 0.0f ? axis + 3 : axis;
         r.far[axis] = inverse < 0.0f ? axis : axis + 3;
