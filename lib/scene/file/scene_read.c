@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MOST_ROWS = 100 }; // of a section, with those of all its types
+
 static const char *key_name(const void *section, size_t i)
 {
     const SceneKey *key = scene_key_at(section, i);
@@ -19,48 +21,27 @@ static const char *section_name(const void *unused, size_t i)
     return i < SCENE_SECTIONS ? scene_sections[i]->name : NULL;
 }
 
-// To the next key of a mapping: its name, or NULL at the end. False at a fault.
-static bool next_key(SceneWalk *walk, const char **key)
+// To the next key of a mapping, which must be a name of the list and there for the first time, and on to its value. Gives
+// its number in the list, −1 at the end. False at a fault.
+static bool next_key(SceneWalk *walk, TextNameAt name_at, const void *list, bool seen[MOST_ROWS], int *number)
 {
-    *key = NULL;
+    *number = -1;
     if (!walk_next(walk))
         return false;
     if (walk->event.type == YAML_MAPPING_END_EVENT)
         return true;
     if (walk->event.type != YAML_SCALAR_EVENT)
         return scene_fault_at(walk->file, walk_place(walk), "a key must be a word; expected key: value");
-    *key = (const char *)walk->event.data.scalar.value;
-    return true;
-}
-
-// The number of the key at hand among those that may stand here. False, with the fault told, when it is none of them.
-static bool find_key(const SceneWalk *walk, const char *key, TextNameAt name_at, const void *section, size_t *number)
-{
-    return text_find_name(key, name_at, section, number) ||
-           scene_fault_at(walk->file, walk_place(walk), "unknown key '%.50s'; %s", key,
-                          text_suggest(key, name_at, section).text);
-}
-
-static bool twice_fault(const SceneWalk *walk, const char *key)
-{
-    return scene_fault_at(walk->file, walk_place(walk), "the key '%s' stands here twice; expected it once", key);
-}
-
-// A key of the last entry, and its value.
-static bool read_pair(SceneWalk *walk, const SceneSection *section, const char *of, SceneEntry *entry, const char *key)
-{
-    size_t number;
-    char path[WALK_PATH];
-    if (!find_key(walk, key, key_name, section, &number))
-        return false;
-    if (scene_value(entry, key))
-        return twice_fault(walk, key);
-    SceneValue *value = scene_add_value(walk->file, entry, scene_key_at(section, number));
-    if (!value || !walk_next(walk))
-        return false;
-    value->given = true;
-    snprintf(path, sizeof path, "%s.%s", of, value->key->name);
-    return walk_read_value(walk, section, path, value);
+    const char *key = (const char *)walk->event.data.scalar.value;
+    size_t i;
+    if (!text_find_name(key, name_at, list, &i) || i >= MOST_ROWS)
+        return scene_fault_at(walk->file, walk_place(walk), "unknown key '%.50s'; %s", key,
+                              text_suggest(key, name_at, list).text);
+    if (seen[i])
+        return scene_fault_at(walk->file, walk_place(walk), "the key '%s' stands here twice; expected it once", key);
+    seen[i] = true;
+    *number = (int)i;
+    return walk_next(walk);
 }
 
 static SceneEntry *add_entry(SceneFile *file, int section, ScenePlace place)
@@ -82,17 +63,26 @@ static SceneEntry *add_entry(SceneFile *file, int section, ScenePlace place)
     return entry;
 }
 
-static bool read_entry(SceneWalk *walk, int section, const char *path)
+static bool read_entry(SceneWalk *walk, int number, const char *path)
 {
-    SceneEntry *entry = add_entry(walk->file, section, walk_place(walk));
+    const SceneSection *section = scene_sections[number];
+    SceneEntry *entry = add_entry(walk->file, number, walk_place(walk));
     if (!entry)
         return false;
     if (walk->event.type != YAML_MAPPING_START_EVENT)
         return walk_kind_fault(walk, path, "keys with values (key: value)");
-    const char *key = NULL;
-    bool fine = true;
-    while (fine && (fine = next_key(walk, &key)) && key)
-        fine = read_pair(walk, scene_sections[section], path, entry, key);
+    bool seen[MOST_ROWS] = {false}, fine;
+    int row;
+    while ((fine = next_key(walk, key_name, section, seen, &row)) && row >= 0) {
+        SceneValue *value = scene_add_value(walk->file, entry, scene_key_at(section, (size_t)row));
+        if (!value)
+            return false;
+        char of[WALK_PATH];
+        value->given = true;
+        snprintf(of, sizeof of, "%s.%s", path, value->key->name);
+        if (!walk_read_value(walk, section, of, value))
+            return false;
+    }
     return fine && scene_complete(walk->file, entry, path);
 }
 
@@ -132,29 +122,21 @@ static bool leave_out(SceneFile *file, int number, ScenePlace place)
 static bool read_sections(SceneWalk *walk)
 {
     ScenePlace start = walk_place(walk), places[SCENE_SECTIONS] = {{0, 0}};
-    size_t counts[SCENE_SECTIONS] = {0}, i;
-    const char *key = NULL;
+    size_t counts[SCENE_SECTIONS] = {0};
+    bool seen[MOST_ROWS] = {false}, fine;
+    int i;
     if (walk->event.type != YAML_MAPPING_START_EVENT)
         return walk_kind_fault(walk, "the scene", "keys with values (key: value)");
-    while (next_key(walk, &key) && key) {
-        if (!find_key(walk, key, section_name, NULL, &i))
-            return false;
-        if (places[i].line)
-            return twice_fault(walk, key);
-        if (!walk_next(walk))
-            return false;
+    while ((fine = next_key(walk, section_name, NULL, seen, &i)) && i >= 0) {
         places[i] = walk_place(walk);
         bool list = scene_sections[i]->most;
-        if (!(list ? read_list(walk, (int)i, &counts[i]) : read_entry(walk, (int)i, scene_sections[i]->name)))
+        if (!(list ? read_list(walk, i, &counts[i]) : read_entry(walk, i, scene_sections[i]->name)))
             return false;
         counts[i] += !list;
     }
-    if (walk->event.type != YAML_MAPPING_END_EVENT)
-        return false;
-    for (i = 0; i < SCENE_SECTIONS; i++)
-        if (!counts[i] && !leave_out(walk->file, (int)i, places[i].line ? places[i] : start))
-            return false;
-    return true;
+    for (i = 0; fine && i < SCENE_SECTIONS; i++)
+        fine = counts[i] || leave_out(walk->file, i, places[i].line ? places[i] : start);
+    return fine;
 }
 
 static bool read_text(SceneWalk *walk)

@@ -3,8 +3,7 @@
 
 static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
 {
-    (void)model;
-    (void)cos_wi;
+    (void)model, (void)cos_wi;
     return material->diffuse;
 }
 

@@ -5,9 +5,7 @@
 
 static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
 {
-    (void)material;
-    (void)model;
-    (void)cos_wi;
+    (void)material, (void)model, (void)cos_wi;
     return colour_grey(1.0f);
 }
 

@@ -3,9 +3,7 @@
 
 static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
 {
-    (void)material;
-    (void)model;
-    (void)cos_wi;
+    (void)material, (void)model, (void)cos_wi;
     return colour_grey(0.0f);
 }
 
