@@ -79,49 +79,36 @@ static float select_value(float *values, size_t count, size_t rank)
     return values[rank];
 }
 
-typedef struct {
-    float low, high;
-} Range;
-
-static Range range_along(Box box, int axis)
+// The coordinate at `rank`. One pass copies out those between two values that the median very likely lies between, and
+// counts those below. Of many photons the two are quantiles of a sample, three standard deviations either side of its
+// middle; of few, three standard deviations around the middle, as if they were spread evenly.
+static float select_coordinate(const StoredPhoton *photons, size_t count, Box box, int axis, size_t rank, float *values)
 {
-    return (Range){vec3_component(box.low, axis), vec3_component(box.high, axis)};
-}
-
-// Two values that the median very likely lies between. Of many photons: quantiles of a sample, three standard
-// deviations either side of its middle. Of few: three standard deviations around the middle, as if they were
-// spread evenly.
-static Range bracket_median(const StoredPhoton *photons, size_t count, int axis, Range all)
-{
-    if (count <= SAMPLE_FROM) {
-        float middle = 0.5f * (all.low + all.high);
-        float margin = 1.5f * (all.high - all.low) / sqrtf((float)count);
-        return (Range){middle - margin, middle + margin};
+    float low = vec3_component(box.low, axis), high = vec3_component(box.high, axis);
+    float middle = 0.5f * (low + high), margin = 1.5f * (high - low) / sqrtf((float)count);
+    low = middle - margin;
+    high = middle + margin;
+    if (count > SAMPLE_FROM) {
+        float sample[SAMPLES];
+        for (size_t i = 0; i < SAMPLES; i++)
+            sample[i] = coordinate(&photons[count * (2 * i + 1) / (2 * SAMPLES)], axis);
+        sort_small(sample, SAMPLES);
+        low = sample[SAMPLES / 2 - SAMPLE_MARGIN];
+        high = sample[SAMPLES / 2 + SAMPLE_MARGIN];
     }
-    float sample[SAMPLES];
-    for (size_t i = 0; i < SAMPLES; i++)
-        sample[i] = coordinate(&photons[count * (2 * i + 1) / (2 * SAMPLES)], axis);
-    sort_small(sample, SAMPLES);
-    return (Range){sample[SAMPLES / 2 - SAMPLE_MARGIN], sample[SAMPLES / 2 + SAMPLE_MARGIN]};
-}
-
-// The coordinate at `rank`. One pass copies out those inside the bracket and counts those below.
-static float select_coordinate(const StoredPhoton *photons, size_t count, int axis, size_t rank, Range all,
-                               float *values)
-{
-    Range bracket = bracket_median(photons, count, axis, all);
     for (;;) {
         size_t below = 0;
         size_t inside = 0;
         for (size_t i = 0; i < count; i++) {
             float value = coordinate(&photons[i], axis);
             values[inside] = value;
-            below += value < bracket.low;
-            inside += (value >= bracket.low) & (value <= bracket.high);
+            below += value < low;
+            inside += (value >= low) & (value <= high);
         }
         if (below <= rank && rank < below + inside)
             return select_value(values, inside, rank - below);
-        bracket = all; // bad luck, or not spread evenly
+        low = -INFINITY; // bad luck, or not spread evenly
+        high = INFINITY;
     }
 }
 
@@ -140,7 +127,7 @@ static size_t split_photons(StoredPhoton *photons, size_t count, int axis, float
 void photon_map_halve(StoredPhoton *photons, size_t count, Box box, size_t rank, float *values)
 {
     int axis = longest_axis(box);
-    float median = select_coordinate(photons, count, axis, rank, range_along(box, axis), values);
+    float median = select_coordinate(photons, count, box, axis, rank, values);
     size_t below = split_photons(photons, count, axis, median);
     if (below < rank) // several at the median: bring them together in the middle
         split_photons(photons + below, count - below, axis, nextafterf(median, INFINITY));
