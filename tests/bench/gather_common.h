@@ -1,6 +1,5 @@
-// What gather and gather_nanoflann share, so that both do the same work: photons on the walls of a box open
-// to one side, query points in scan order, and the tally of a fixed-radius estimate. Plain C that is C++,
-// too.
+// What gather and gather_nanoflann share, so that both do the same work: photons on the walls of a box open to one
+// side, query points in scan order, and the tally of a fixed-radius estimate. Plain C that is C++, too.
 #ifndef PHOTONLAB_BENCH_GATHER_COMMON_H
 #define PHOTONLAB_BENCH_GATHER_COMMON_H
 
@@ -45,8 +44,7 @@ static inline void bench_wall_point(uint64_t *state, float position[3], float no
     }
 }
 
-// One photon in eight arrives at the back of its wall. None grazes, so that rounding a direction changes no
-// count.
+// One photon in eight arrives at the back of its wall. None grazes, so that rounding a direction changes no count.
 static inline void bench_fill_photons(BenchPhoton *photons, size_t count)
 {
     uint64_t state = 777;

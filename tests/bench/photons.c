@@ -12,14 +12,12 @@ static const char help[] =
     "\n"
     "  --photons N    for the photon pass (1000000)\n"
     "  --most N       last row of the table: 10000, 100000, … up to N (1000000)\n"
-    "  --threads T    0: all cores\n"
-    "  --json         one line of JSON: the photon pass on T threads only\n";
+    "  --threads T    0: all cores\n";
 
 typedef struct {
     const char *scene;
     long photons, most;
     int threads;
-    bool json;
 } Arguments;
 
 #define QUERIES 100000
@@ -113,27 +111,14 @@ static bool print_tables(const Scene *scene, const Arguments *a, Error *error)
     return true;
 }
 
-static bool print_json(const Scene *scene, const Arguments *a, Error *error)
-{
-    PhotonPass pass;
-    if (!best_pass(scene, a->photons, a->threads, &pass, error))
-        return false;
-    printf("{\"photons\":%ld,\"threads\":%d,\"seconds\":%.6f,\"paths_per_second\":%.0f,\"segments_per_second\":%.0f,"
-           "\"segments_per_path\":%.3f}\n",
-           a->photons, parallel_threads(a->threads), pass.seconds, (double)a->photons / pass.seconds,
-           (double)pass.segments / pass.seconds, (double)pass.segments / (double)a->photons);
-    return true;
-}
-
 // 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
-    *a = (Arguments){"scenes/box_glass.yaml", 1000000, 1000000, 0, false};
+    *a = (Arguments){"scenes/box_glass.yaml", 1000000, 1000000, 0};
     const Flag flags[] = {
         {"photons", FLAG_LONG, &a->photons, 1, MOST_PHOTONS},
         {"most", FLAG_LONG, &a->most, 1, MOST_PHOTONS},
         {"threads", FLAG_INT, &a->threads, 0, MOST_THREADS},
-        {"json", FLAG_PRESENT, &a->json, 0, 0},
     };
     return command_line_parse(
         &(CommandLine){"photonlab bench", help, "one scene file at most", flags, FLAG_COUNT(flags), 0, 1}, count,
@@ -151,7 +136,7 @@ int main(int count, char **arguments)
     if (!steps_load(NULL, &error) || !(scene = scene_load(a.scene, &error)))
         return report_error(&error);
     parallel_limit(a.threads);
-    bool ok = a.json ? print_json(scene, &a, &error) : print_tables(scene, &a, &error);
+    bool ok = print_tables(scene, &a, &error);
     scene_free(scene);
     return ok ? 0 : report_error(&error);
 }

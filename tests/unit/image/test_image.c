@@ -1,5 +1,4 @@
-// Images: the sRGB curve, files that are written and read again, writes that fail, differences worked out by
-// hand.
+// Images: the sRGB curve, files that are written and read again, writes that fail, differences worked out by hand.
 #include "unit/image/image_helpers.h"
 
 #include <dirent.h>
@@ -182,8 +181,7 @@ TEST(failed_writes_keep_the_old_file)
             assert_false(image_write(&image, paths[i], &error));
             assert_message(&error, "column 3, row 2");
         }
-        // A limit on the length of files stands for the full disk. It hits everything, so it goes before the
-        // checks.
+        // A limit on the length of files stands for the full disk. It hits everything, so it goes before the checks.
         Error error = {""};
         struct rlimit limit, small;
         signal(SIGXFSZ, SIG_IGN);

@@ -1,5 +1,4 @@
-// Image files byte by byte: the kinds of PNG and PFM that are read, and damaged ones with what is said about
-// them.
+// Image files byte by byte: the kinds of PNG and PFM that are read, and damaged ones with what is said about them.
 #include "image/codec.h"
 
 #include "unit/image/png_builder.h"
@@ -69,8 +68,7 @@ TEST(every_kind_of_png_is_read)
 
 enum { NO_PALETTE = 1, NO_DATA = 2, NO_HEADER = 4, TWO_HEADERS = 8 };
 
-// A grey image of 8 bits and 2×2 pixels, with something wrong. Bytes: header at 8…32, data at 33…61, end at
-// 62…73.
+// A grey image of 8 bits and 2×2 pixels, with something wrong. Bytes: header at 8…32, data at 33…61, end at 62…73.
 typedef struct {
     uint32_t width, height;
     unsigned char rest[5];

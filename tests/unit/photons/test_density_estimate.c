@@ -5,39 +5,21 @@
 // up to the k-th nearest, as a share x of A, has the Beta(k, N + 1 − k) distribution, with E[1/x] = N/(k −
 // 1); the k − 1 photons inside are spread evenly over the disc, and d²/r² is uniform for them. Every
 // expectation below follows, whatever N is.
-#include "math/rng.h"
-#include "photons/photon_map.h"
-#include "unit/test.h"
+#include "unit/test_common.h"
 
 enum { PHOTONS = 500, TRIALS = 10000, MOST_K = 50 };
 
 // What a photon at distance² u (in units of r²) adds to the estimate, apart from the factor 1/(πr²).
-typedef double (*Filter)(double u);
+typedef double (*Filter)(double u, double parameter);
 
-static double box_all(double u)
+static double box(double u, double reach)
 {
-    (void)u;
-    return 1.0;
-}
-
-static double box_inside(double u)
-{
-    return u < 1.0 ? 1.0 : 0.0;
+    return u < reach ? 1.0 : 0.0;
 }
 
 static double cone(double u, double kappa)
 {
     return (1.0 - sqrt(u) / kappa) / (1.0 - 2.0 / (3.0 * kappa));
-}
-
-static double cone_1(double u)
-{
-    return cone(u, 1.0);
-}
-
-static double cone_wide(double u)
-{
-    return cone(u, 1.5);
 }
 
 // Jensen 1996 with β = 1.953, over the k − 1 photons inside the disc.
@@ -47,36 +29,27 @@ static double gaussian(double u, double alpha)
     return u < 1.0 ? alpha * (1.0 - (1.0 - exp(-beta * u / 2.0)) / (1.0 - exp(-beta))) : 0.0;
 }
 
-static double gaussian_printed(double u)
+static double biweight(double u, double scale)
 {
-    return gaussian(u, 0.918);
-}
-
-static double gaussian_consistent(double u)
-{
-    return gaussian(u, 1.72831);
-}
-
-static double biweight(double u)
-{
-    return 3.0 * (1.0 - u) * (1.0 - u);
+    return scale * (1.0 - u) * (1.0 - u);
 }
 
 typedef struct {
     const char *name;
     Filter filter;
+    double parameter;
     double excess; // expectation − 1, times k − 1; NaN: see `expected`
     double expected;
 } Case;
 
 static const Case cases[] = {
-    {"box over all k", box_all, 1.0, 0.0},
-    {"box over k - 1", box_inside, 0.0, 0.0},
-    {"cone, kappa 1", cone_1, 0.0, 0.0},
-    {"cone, kappa 1.5", cone_wide, (1.0 - 1.0 / 1.5) / (1.0 - 2.0 / 4.5), 0.0},
-    {"Gaussian as commonly printed", gaussian_printed, NAN, 0.5312},
-    {"Gaussian, consistent", gaussian_consistent, 0.0, 0.0},
-    {"biweight", biweight, 0.0, 0.0},
+    {"box over all k", box, INFINITY, 1.0, 0.0},
+    {"box over k - 1", box, 1.0, 0.0, 0.0},
+    {"cone, kappa 1", cone, 1.0, 0.0, 0.0},
+    {"cone, kappa 1.5", cone, 1.5, (1.0 - 1.0 / 1.5) / (1.0 - 2.0 / 4.5), 0.0},
+    {"Gaussian as commonly printed", gaussian, 0.918, NAN, 0.5312},
+    {"Gaussian, consistent", gaussian, 1.72831, 0.0, 0.0},
+    {"biweight", biweight, 3.0, 0.0, 0.0},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
@@ -107,37 +80,30 @@ static void estimate(const PhotonMap *map, size_t k, double values[CASES])
     for (int c = 0; c < CASES; c++) {
         double sum = 0.0;
         for (size_t i = 0; i < k; i++)
-            sum += cases[c].filter((double)near[i].distance2 / (double)radius2);
+            sum += cases[c].filter((double)near[i].distance2 / (double)radius2, cases[c].parameter);
         values[c] = sum / ((double)PI * (double)radius2) / (PHOTONS / 4.0);
     }
 }
 
-static void check_mean(const Case *filter, size_t k, double sum, double sum2)
-{
-    double expected = isnan(filter->excess) ? filter->expected : 1.0 + filter->excess / (double)(k - 1);
-    double mean = sum / TRIALS;
-    double error = sqrt((sum2 / TRIALS - mean * mean) / TRIALS);
-    assert_true(error < 0.01); // or the check would say little
-    if (!(fabs(mean - expected) < 4.0 * error))
-        fail_msg("%s, k = %zu: %.4f ± %.4f, expected %.4f", filter->name, k, mean, error, expected);
-}
-
 static void check_filters(size_t k)
 {
-    double sums[CASES] = {0.0};
-    double sums2[CASES] = {0.0};
+    Mean means[CASES] = {{0}};
     for (uint64_t trial = 0; trial < TRIALS; trial++) {
         double values[CASES];
         PhotonMap *map = make_map(k, trial);
         estimate(map, k, values);
         photon_map_free(map);
-        for (int c = 0; c < CASES; c++) {
-            sums[c] += values[c];
-            sums2[c] += values[c] * values[c];
-        }
+        for (int c = 0; c < CASES; c++)
+            mean_add(&means[c], values[c]);
     }
-    for (int c = 0; c < CASES; c++)
-        check_mean(&cases[c], k, sums[c], sums2[c]);
+    for (int c = 0; c < CASES; c++) {
+        const Case *filter = &cases[c];
+        double expected = isnan(filter->excess) ? filter->expected : 1.0 + filter->excess / (double)(k - 1);
+        double mean = mean_value(&means[c]), error = mean_error(&means[c]);
+        assert_true(error < 0.01); // or the check would say little
+        if (!(fabs(mean - expected) < 4.0 * error))
+            fail_msg("%s, k = %zu: %.4f ± %.4f, expected %.4f", filter->name, k, mean, error, expected);
+    }
 }
 
 TEST(test_filters)

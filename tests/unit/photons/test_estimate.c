@@ -30,8 +30,7 @@ static PhotonMap *map_of(const StoredPhoton *photons, size_t count)
     return own_map(map);
 }
 
-// One photon of power Φ at distance d under a cone of radius r: L = ρ/π · Φ · 3(1 − d/r)/(πr²), whatever its
-// slant.
+// One photon of power Φ at distance d under a cone of radius r: L = ρ/π · Φ · 3(1 − d/r)/(πr²), whatever its slant.
 TEST(one_photon_under_the_cone)
 {
     Hit hit = floor_hit(0, 0);

@@ -1,5 +1,4 @@
-// The energy ledger on every example scene: no flux is lost or made, and what chance takes it gives back on
-// average.
+// The energy ledger on every example scene: no flux is lost or made, and what chance takes it gives back on average.
 #include "unit/test_common.h"
 
 #include <glob.h>
@@ -7,8 +6,7 @@
 #define PHOTONS FEWER(50000)
 #define ENOUGH  50000 // for the smallest cheat to show
 
-// The half that holds by construction, and the half that only right steps keep: chance within 4 standard
-// errors of 0.
+// The half that holds by construction, and the half that only right steps keep: chance within 4 standard errors of 0.
 static void check_ledger(const Ledger *ledger, const char *what)
 {
     for (int c = 0; c < 3; c++) {
@@ -72,8 +70,7 @@ static const char closed_room[] =
     CAMERA "render: {depth: 100}\n"
            "materials:\n"
            "  - {name: wall, type: diffuse, reflectance: [0.7, 0.5, 0.3]}\n"
-           "  - {name: copper, type: glossy, diffuse: [0.15, 0.07, 0.04], specular: [0.8, 0.5, 0.35], "
-           "exponent: 20}\n"
+           "  - {name: copper, type: glossy, diffuse: [0.15, 0.07, 0.04], specular: [0.8, 0.5, 0.35], exponent: 20}\n"
            "  - {name: steel, type: glossy, diffuse: [0, 0.1, 0], specular: [0.9, 0.85, 1], exponent: 1000}\n"
            "  - {name: silver, type: mirror, reflectance: [0.95, 0.9, 0.85]}\n"
            "  - {name: crown, type: glass, index: 1.5}\n"
@@ -89,14 +86,12 @@ static const char closed_room[] =
            "  - {type: box, low: [-1, -1, -1], high: [1, 1, 1], material: wall}\n"
            "  - {type: rectangle, corner: [-0.99, -0.5, -0.5], edge_u: [0, 1, 0], edge_v: [0, 0, 1], "
            "material: copper}\n"
-           "  - {type: rectangle, corner: [-0.5, -0.5, -0.99], edge_u: [1, 0, 0], edge_v: [0, 1, 0], "
-           "material: steel}\n"
+           "  - {type: rectangle, corner: [-0.5, -0.5, -0.99], edge_u: [1, 0, 0], edge_v: [0, 1, 0], material: steel}\n"
            "  - {type: sphere, centre: [-0.5, -0.6, 0.3], radius: 0.35, material: silver}\n"
            "  - {type: sphere, centre: [0.5, -0.4, -0.4], radius: 0.3, material: crown}\n"
            "  - {type: mesh, file: meshes/diamond.obj, scale: 0.6, translate: [0, 0, 0], material: flint}\n"
            "  - {type: prism, apex: [0.5, 0.5, 0], axis: [0, 0, 1], down: [0, -1, 0], angle: 60, side: 0.3, "
-           "length: 0.4, "
-           "material: flint}\n";
+           "length: 0.4, material: flint}\n";
 
 // All kinds of lights and materials in a room without a gap: nothing escapes.
 TEST(nothing_escapes_from_a_closed_room)

@@ -14,8 +14,7 @@ static Scene *prism_scene(double incidence)
              "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"
              "  - {name: flint, type: glass, glass: N-SF11}\n"
              "lights:\n"
-             "  - {type: beam, position: [%.7f, 0, %.7f], target: [-0.015, 0, 0], radius: 0.001, power: [1, 1, "
-             "1]}\n"
+             "  - {type: beam, position: [%.7f, 0, %.7f], target: [-0.015, 0, 0], radius: 0.001, power: [1, 1, 1]}\n"
              "shapes:\n"
              "  - {type: prism, apex: [0, 0, -0.025981], axis: [0, 1, 0], down: [0, 0, 1], angle: 60, side: 0.06, "
              "length: 0.08, material: flint}\n"
@@ -24,8 +23,7 @@ static Scene *prism_scene(double incidence)
     return scene_from_text(text);
 }
 
-// Share of unpolarised light that gets through one face: Fresnel's formulas with angles (radians) instead of
-// indices.
+// Share of unpolarised light that gets through one face: Fresnel's formulas with angles (radians) instead of indices.
 static double through_face(double i, double r)
 {
     double s = sin(i - r) / sin(i + r), p = tan(i - r) / tan(i + r);
@@ -91,8 +89,7 @@ TEST(prism_of_the_example_scene)
         assert_true(mean_value(&share[c]) > 0.3);
 }
 
-// Below i1 = asin(n·sin(A − asin(1/n))) face 2 reflects totally: 50.955° for red, 51.915° green, 54.133°
-// blue.
+// Below i1 = asin(n·sin(A − asin(1/n))) face 2 reflects totally: 50.955° for red, 51.915° green, 54.133° blue.
 TEST(prism_lets_only_red_out)
 {
     check_prism(51.5, (double[]){75.494, NAN, NAN});

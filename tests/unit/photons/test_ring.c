@@ -3,9 +3,8 @@
 
 #define RING_RADIUS 0.1 // m, of scenes/ring.yaml
 
-// A photon's way over the floor, seen from above, in units of the ring's radius: x along the light, (cos t,
-// sin t) where it left the mirror. False for photons that were not reflected exactly once, or not inside the
-// ring.
+// A photon's way over the floor, seen from above, in units of the ring's radius: x along the light, (cos t, sin t)
+// where it left the mirror. False for photons that were not reflected exactly once, or not inside the ring.
 typedef struct {
     double x, y, dx, dy, t;
 } RingRay;

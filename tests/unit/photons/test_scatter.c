@@ -47,8 +47,7 @@ TEST(glossy_bounce_keeps_the_mean)
     steps_play(PLAY_DEFAULT);
 }
 
-// Where both parts have one colour, choosing in proportion to their flux makes every weight 1: no power ever
-// changes.
+// Where both parts have one colour, choosing in proportion to their flux makes every weight 1: no power ever changes.
 TEST(glossy_bounce_chooses_in_proportion)
 {
     Material material = {
@@ -71,8 +70,7 @@ TEST(glossy_bounce_chooses_in_proportion)
     steps_play(PLAY_DEFAULT);
 }
 
-// 4 % come back from glass of index 1.5 seen straight on; the others go through, as bright and as white as
-// they came.
+// 4 % come back from glass of index 1.5 seen straight on; the others go through, as bright and as white as they came.
 TEST(glass_bounce)
 {
     Material glass = {.type = MATERIAL_GLASS, .index = {1.5f, 1.5f, 1.5f}};

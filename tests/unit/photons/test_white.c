@@ -1,8 +1,7 @@
 // White stays white: what glass may do to colour, and how the loop (step 1.5) and the recursion (3.4) agree.
 #include "unit/test_common.h"
 
-// Light falls straight through four panes of the glass `material` into a black hemisphere of walls behind
-// them.
+// Light falls straight through four panes of the glass `material` into a black hemisphere of walls behind them.
 static Scene *panes(const char *glass)
 {
     char text[2048];
@@ -48,8 +47,7 @@ static Arrived arrived(const PhotonPass *pass)
     return result;
 }
 
-// m panes, each surface reflecting R, let (1 − R)/(1 + (2m−1)R) through (Stokes 1862: all reflections back
-// and forth).
+// m panes, each surface reflecting R, let (1 − R)/(1 + (2m−1)R) through (Stokes 1862: all reflections back and forth).
 static double through_panes(double index, int m)
 {
     double r = (index - 1.0) / (index + 1.0) * ((index - 1.0) / (index + 1.0));
@@ -83,8 +81,7 @@ TEST(panes_of_nearly_one_index)
     }
 }
 
-// Strong dispersion: each colour by its own index, though white photons choose by the mean of three
-// reflectances.
+// Strong dispersion: each colour by its own index, though white photons choose by the mean of three reflectances.
 TEST(panes_of_strong_dispersion)
 {
     const double index[3] = {1.3, 1.6, 2.4};
@@ -111,8 +108,7 @@ TEST(reflected_light_stays_white)
         "shapes:\n"
         "  - {type: rectangle, corner: [-1, -1, 0], edge_u: [0, 2, 0], edge_v: [2, 0, 0], material: strong}\n"
         "  - {type: rectangle, corner: [-1, -1, 1], edge_u: [2, 0, 0], edge_v: [0, 2, 0], material: black}\n"
-        "  - {type: rectangle, corner: [-1, -1, -1], edge_u: [2, 0, 0], edge_v: [0, 2, 0], material: "
-        "black}\n");
+        "  - {type: rectangle, corner: [-1, -1, -1], edge_u: [2, 0, 0], edge_v: [0, 2, 0], material: black}\n");
     const double index[3] = {1.3, 1.6, 2.4};
     PhotonPass pass = photons_of(scene, FEWER(100000), 1, PLAY_DEFAULT);
     Mean white[3] = {{0}};

@@ -115,9 +115,8 @@ static double fresnel_at_60(void)
     return 0.5 * (s * s + p * p);
 }
 
-// One metre below the slab a ray that was bent once is at x = 2/√2 = 1.414; one that was bent back is at
-// 1/√2 + √3 = 2.439. With one side L = (1−F)L₀ and no n²; with two (1−F)²L₀; what takes more turns inside
-// comes down elsewhere.
+// One metre below the slab a ray that was bent once is at x = 2/√2 = 1.414; one that was bent back is at 1/√2 + √3 =
+// 2.439. With one side L = (1−F)L₀ and no n²; with two (1−F)²L₀; what takes more turns inside comes down elsewhere.
 TEST(one_side_bends_at_the_front_only)
 {
     static const char bent_once[] = ONTO_SLAB "lights:\n" LAMP_UP("1.314", "-2") SLAB;

@@ -57,8 +57,7 @@ static Mean emitted_irradiance(const Light *light, const Window *window, Rng *rn
     return mean;
 }
 
-// Windows in full light, aslant, at the edge of spot and beam, and with rectangle and sphere partly below the
-// horizon.
+// Windows in full light, aslant, at the edge of spot and beam, and with rectangle and sphere partly below the horizon.
 TEST(photons_and_samples_agree)
 {
     const Window windows[] = {
@@ -96,8 +95,7 @@ static double mean_irradiance(const Light *light, Vec3 point, Vec3 normal)
     return sum / (side * side);
 }
 
-// E = πL·sin²θ_max·cosθ for a sphere all above the horizon; sinθ_max = R/d, θ: its centre's angle to the
-// normal.
+// E = πL·sin²θ_max·cosθ for a sphere all above the horizon; sinθ_max = R/d, θ: its centre's angle to the normal.
 TEST(sphere_light_irradiance)
 {
     Light light = {.type = LIGHT_SPHERE, .position = vec3(1, 2, 4), .radius = 0.5f, .radiance = colour_grey(3)};

@@ -81,8 +81,7 @@ TEST(turn_to_keeps_lengths_and_angles)
 #define COLUMNS 24 // of azimuth
 #define FINE    24 // midpoints a side for the integral over a bin
 
-// p(ω) of step 2.3 for mirror direction `mirror` (in the xz-plane), normal +z; I_P from data of the
-// material's tests.
+// p(ω) of step 2.3 for mirror direction `mirror` (in the xz-plane), normal +z; I_P from data of the material's tests.
 static double source_text_density(Vec3 mirror, double exponent, double above, double x, double z)
 {
     double cos_alpha = (double)mirror.x * x + (double)mirror.z * z;
@@ -166,8 +165,7 @@ TEST(source_text_gives_up_audibly)
     assert_int_equal(redraw_cap_count() - before, refused);
 }
 
-// Share of lobe samples above the surface, (n+1)/(2π)·I_P, and mean weight, (n+2)/(2π)·I_M: the modified
-// Phong albedo.
+// Share of lobe samples above the surface, (n+1)/(2π)·I_P, and mean weight, (n+2)/(2π)·I_M: the modified Phong albedo.
 TEST(phong_bounce_has_its_albedo)
 {
     static const struct {
@@ -197,8 +195,7 @@ TEST(phong_bounce_has_its_albedo)
     }
 }
 
-// Above the surface the directions are those of the lobe itself: (cosα)^(n+1) is uniform where the whole lobe
-// is.
+// Above the surface the directions are those of the lobe itself: (cosα)^(n+1) is uniform where the whole lobe is.
 TEST(phong_bounce_goes_into_the_lobe)
 {
     enum { BINS = 50, COUNT = 100000 };

@@ -1,6 +1,5 @@
-// Every malformed scene and mesh is refused, at the right place and in the right words, without a crash (run
-// this under sanitizers too). Works from the top folder: tests/malformed/ holds one small file per fault,
-// expected.inc the words.
+// Every malformed scene and mesh is refused, at the right place and in the right words, without a crash (run this under
+// sanitizers too). Works from the top folder: tests/malformed/ holds one small file per fault, expected.inc the words.
 #include "scene/scene.h"
 #include "unit/scene/temporary_folder.h"
 
@@ -47,8 +46,7 @@ static bool mesh_refused(const char *folder, const char *file, const char *expec
 {
     char text[600];
     snprintf(text, sizeof text,
-             "%smaterials:\n  - {name: white, type: mirror}\nshapes:\n  - {type: mesh, file: %s, material: "
-             "white}\n",
+             "%smaterials:\n  - {name: white, type: mirror}\nshapes:\n  - {type: mesh, file: %s, material: white}\n",
              camera_and_light, file);
     Error error = {""};
     Scene *scene = scene_load_text(text, strlen(text), "scene.yaml", folder, &error);

@@ -11,8 +11,7 @@ static Scene *load_shape(const char *shape)
     return scene_in_folder(text, NULL);
 }
 
-// By Gauss: a third of the flux of the position vector through the surface. Positive when all normals point
-// outside.
+// By Gauss: a third of the flux of the position vector through the surface. Positive when all normals point outside.
 static double enclosed_volume(const Scene *scene)
 {
     double six_volumes = 0;
