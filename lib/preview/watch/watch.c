@@ -15,40 +15,31 @@
 #define LOOK_ALONE   0.1  // s between looks at the files' times, without inotify
 #define LOOK_BESIDE  1.0  // … and with it, for folders whose changes come from another machine
 
-static void path_of(char *path, size_t size, const char *folder, const StepInfo *step, const char *ending)
+void watch_path(char path[4096], const char *folder, size_t i, const char *ending)
 {
-    snprintf(path, size, "%s/%s%s", folder, step->file, ending);
+    snprintf(path, 4096, "%s/%s%s", folder, step_table[i].file, ending);
 }
 
-const char *watch_step_name(const StepInfo *step)
+// "1.3_scatter_diffuse"
+static const char *name_of(size_t i)
 {
-    return strrchr(step->file, '/') + 1;
+    return strrchr(step_table[i].file, '/') + 1;
 }
 
-Fingerprint watch_fingerprint(const Watch *watch, size_t i)
+// True: it is not as it was.
+static bool look_at(Watch *watch, size_t i)
 {
     char path[4096];
-    struct stat info;
-    path_of(path, sizeof path, watch->source, &step_table[i], ".c");
-    if (stat(path, &info) != 0)
-        return (Fingerprint){.there = false};
-    return (Fingerprint){true,
-                         (long long)CHANGED_AT(info).tv_sec,
-                         (long long)CHANGED_AT(info).tv_nsec,
-                         (long long)info.st_size,
-                         (unsigned long long)info.st_ino,
-                         watch_headers_fingerprint(watch, i)};
-}
-
-static bool same_fingerprint(const Fingerprint *a, const Fingerprint *b)
-{
-    return a->there == b->there && a->seconds == b->seconds && a->nanoseconds == b->nanoseconds && a->size == b->size &&
-           a->number == b->number && a->headers == b->headers;
+    Source *file = &watch->files[i], before = *file;
+    watch_path(path, watch->source, i, ".c");
+    file->fingerprint = watch_fingerprint(0, path);
+    file->headers = file->fingerprint ? watch_headers(watch, i) : 0;
+    return file->fingerprint != before.fingerprint || file->headers != before.headers;
 }
 
 void watch_mark(Watch *watch, size_t i)
 {
-    watch->files[i].fingerprint = watch_fingerprint(watch, i);
+    look_at(watch, i);
     watch->files[i].dirty = true;
     watch->files[i].since = clock_seconds();
 }
@@ -58,8 +49,8 @@ static bool is_behind(const Watch *watch, size_t i)
 {
     char source[4096], object[4096];
     struct stat from, made;
-    path_of(source, sizeof source, watch->source, &step_table[i], ".c");
-    path_of(object, sizeof object, watch->objects, &step_table[i], ".so");
+    watch_path(source, watch->source, i, ".c");
+    watch_path(object, watch->objects, i, ".so");
     if (stat(source, &from) != 0)
         return false;
     if (stat(object, &made) != 0)
@@ -74,11 +65,9 @@ static void look_at_times(Watch *watch)
     if (now - watch->looked < (watch->inotify >= 0 ? LOOK_BESIDE : LOOK_ALONE))
         return;
     watch->looked = now;
-    for (size_t i = 0; i < STEP_COUNT; i++) {
-        Fingerprint found = watch_fingerprint(watch, i);
-        if (!same_fingerprint(&found, &watch->files[i].fingerprint))
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (look_at(watch, i))
             watch_mark(watch, i);
-    }
 }
 
 Watch *watch_start(const char *source, const char *objects, const char *command, Error *error)
@@ -102,7 +91,7 @@ Watch *watch_start(const char *source, const char *objects, const char *command,
     watch->inotify = watch->build.compiler.output = -1;
     watch_start_listening(watch);
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        watch->files[i].fingerprint = watch_fingerprint(watch, i);
+        look_at(watch, i);
         if (is_behind(watch, i))
             watch_mark(watch, i);
     }
@@ -124,8 +113,7 @@ static WatchEvent remove_object(Watch *watch, size_t i, const char *object)
 {
     if (unlink(object) != 0 && errno == ENOENT)
         return WATCH_NOTHING;
-    snprintf(watch->message, sizeof watch->message, "%s.c: deleted; the reference plays in its place",
-             watch_step_name(&step_table[i]));
+    snprintf(watch->message, sizeof watch->message, "%s.c: deleted; the reference plays in its place", name_of(i));
     return WATCH_BUILT;
 }
 
@@ -133,24 +121,24 @@ static WatchEvent begin_build(Watch *watch, size_t i)
 {
     char source[4096], object[4096];
     Error error = {""};
-    path_of(source, sizeof source, watch->source, &step_table[i], ".c");
-    path_of(object, sizeof object, watch->objects, &step_table[i], ".so");
+    watch_path(source, watch->source, i, ".c");
+    watch_path(object, watch->objects, i, ".so");
     watch->files[i].dirty = false;
     watch->files[i].error[0] = '\0';
-    watch->files[i].fingerprint = watch_fingerprint(watch, i); // what is built, even if it was seen half-written before
+    look_at(watch, i); // what is built, even if it was seen half-written before
     if (access(source, F_OK) != 0)
         return remove_object(watch, i, object);
     watch->building = i;
     if (build_start(&watch->build, watch->command, source, object, &error))
         return WATCH_BUILDING;
-    snprintf(watch->message, sizeof watch->message, "%s.c: %.900s", watch_step_name(&step_table[i]), error.message);
+    snprintf(watch->message, sizeof watch->message, "%s.c: %.900s", name_of(i), error.message);
     return WATCH_FAILED;
 }
 
 // Seconds until this file may be built; a deleted one may come back at once under the same name.
 static double time_left(const Source *file)
 {
-    return file->since + (file->fingerprint.there ? QUIET : QUIET_DELETE) - clock_seconds();
+    return file->since + (file->fingerprint ? QUIET : QUIET_DELETE) - clock_seconds();
 }
 
 // The one that waits longest.
@@ -166,29 +154,20 @@ static WatchEvent begin_next(Watch *watch)
 
 static WatchEvent end_build(Watch *watch, bool ok)
 {
-    char file[256];
-    snprintf(file, sizeof file, "%s.c", watch_step_name(&step_table[watch->building]));
+    char name[256];
+    Source *file = &watch->files[watch->building];
+    snprintf(name, sizeof name, "%s.c", name_of(watch->building));
     watch->warning[0] = '\0';
-    watch->files[watch->building].fingerprint.headers =
-        watch_headers_fingerprint(watch, watch->building); // it may read others now
+    file->headers = watch_headers(watch, watch->building); // it may read others now
     if (ok) {
-        snprintf(watch->message, sizeof watch->message, "%s: built in %.2f s", file,
+        snprintf(watch->message, sizeof watch->message, "%s: built in %.2f s", name,
                  clock_seconds() - watch->build.started);
-        build_warning_line(&watch->build, file, watch->warning, sizeof watch->warning);
-    }
-    if (!ok) {
-        build_error_line(&watch->build, file, watch->message, sizeof watch->message);
-        snprintf(watch->files[watch->building].error, sizeof watch->files->error, "%.299s", watch->message);
+        build_warning_line(&watch->build, name, watch->warning, sizeof watch->warning);
+    } else {
+        build_error_line(&watch->build, name, watch->message, sizeof watch->message);
+        snprintf(file->error, sizeof file->error, "%.299s", watch->message);
     }
     return ok ? WATCH_BUILT : WATCH_FAILED;
-}
-
-static WatchEvent tell_of_stray(Watch *watch)
-{
-    snprintf(watch->message, sizeof watch->message,
-             "%s: no step has this name, so nothing plays it; `build/photonlab steps` lists them", watch->stray);
-    watch->stray[0] = '\0';
-    return WATCH_FAILED;
 }
 
 WatchEvent watch_poll(Watch *watch)
@@ -200,9 +179,12 @@ WatchEvent watch_poll(Watch *watch)
         build_stop(&watch->build); // what it would make is out of date
     if (watch->build.compiler.pid > 0)
         return build_poll(&watch->build, &ok) ? end_build(watch, ok) : WATCH_NOTHING;
-    if (watch->stray[0])
-        return tell_of_stray(watch);
-    return begin_next(watch);
+    if (!watch->stray[0])
+        return begin_next(watch);
+    snprintf(watch->message, sizeof watch->message,
+             "%s: no step has this name, so nothing plays it; `build/photonlab steps` lists them", watch->stray);
+    watch->stray[0] = '\0';
+    return WATCH_FAILED;
 }
 
 void watch_wait(Watch *watch, double seconds)

@@ -37,8 +37,6 @@ void build_stop(Build *build)
 
 bool build_poll(Build *build, bool *ok)
 {
-    if (build->compiler.pid <= 0)
-        return false;
     int status = 0;
     // The first part is kept; the first error counts.
     process_read(&build->compiler, build->text, sizeof build->text, &build->size);
@@ -57,10 +55,13 @@ bool build_poll(Build *build, bool *ok)
     return true;
 }
 
-static bool has_word(const char *line, size_t length, const char *word)
+// NULL: no line has this word.
+static const char *line_with(const char *text, const char *word)
 {
-    const char *found = strstr(line, word);
-    return found && found + strlen(word) <= line + length;
+    const char *line = strstr(text, word);
+    while (line && line > text && line[-1] != '\n')
+        line--;
+    return line;
 }
 
 // The first line with a word that tells, or the last line of all. A name that is not known makes gcc warn, and only
@@ -69,14 +70,17 @@ static const char *find_line(const char *text)
 {
     static const char *const words[] = {"implicit declaration", "error", "undefined reference", "ld: ", "not found",
                                         "No such file"};
-    for (size_t w = 0; w < sizeof words / sizeof *words; w++)
-        for (const char *line = text; *line; line += strcspn(line, "\n") + (line[strcspn(line, "\n")] == '\n'))
-            if (has_word(line, strcspn(line, "\n"), words[w]))
-                return line;
-    const char *last = text;
-    for (const char *line = text; *line; line += strcspn(line, "\n") + (line[strcspn(line, "\n")] == '\n'))
-        last = *line != '\n' ? line : last;
-    return last;
+    const char *found = NULL;
+    for (size_t w = 0; w < sizeof words / sizeof *words && !found; w++)
+        found = line_with(text, words[w]);
+    if (found)
+        return found;
+    found = text + strlen(text);
+    while (found > text && found[-1] == '\n')
+        found--;
+    while (found > text && found[-1] != '\n')
+        found--;
+    return found;
 }
 
 static void describe_line(const char *found, const char *file, char *line, size_t size)
@@ -104,11 +108,8 @@ void build_error_line(const Build *build, const char *file, char *line, size_t s
 
 bool build_warning_line(const Build *build, const char *file, char *line, size_t size)
 {
-    const char *warning = strstr(build->text, "warning:");
-    if (!warning)
-        return false;
-    while (warning > build->text && warning[-1] != '\n')
-        warning--;
-    describe_line(warning, file, line, size);
-    return true;
+    const char *warning = line_with(build->text, "warning:");
+    if (warning)
+        describe_line(warning, file, line, size);
+    return warning;
 }

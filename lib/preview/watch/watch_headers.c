@@ -34,28 +34,26 @@ static bool is_own_header(const Watch *watch, const char *path)
            strcmp(path + length - 2, ".h") == 0;
 }
 
-static unsigned long long add_file(unsigned long long sum, const char *path)
+uint64_t watch_fingerprint(uint64_t sum, const char *path)
 {
     struct stat info;
-    sum = hash_u64(sum + 1);
     if (stat(path, &info) != 0)
         return sum;
-    sum = hash_u64(sum ^ (unsigned long long)CHANGED_AT(info).tv_sec);
-    sum = hash_u64(sum ^ (unsigned long long)CHANGED_AT(info).tv_nsec);
-    return hash_u64(sum ^ (unsigned long long)info.st_size ^ (unsigned long long)info.st_ino << 20);
+    sum = hash_u64(sum ^ (uint64_t)CHANGED_AT(info).tv_sec);
+    sum = hash_u64(sum ^ (uint64_t)CHANGED_AT(info).tv_nsec);
+    return hash_u64(sum ^ (uint64_t)info.st_size ^ (uint64_t)info.st_ino << 20);
 }
 
-unsigned long long watch_headers_fingerprint(const Watch *watch, size_t i)
+uint64_t watch_headers(const Watch *watch, size_t i)
 {
     char rules[4096];
     size_t size;
-    Error error = {""};
-    snprintf(rules, sizeof rules, "%s/%s.d", watch->objects, step_table[i].file);
-    char *text = file_read(rules, MOST_BYTES, &size, &error), *rest = text;
-    unsigned long long sum = 0;
+    watch_path(rules, watch->objects, i, ".d");
+    char *text = file_read(rules, MOST_BYTES, &size, NULL), *rest = text;
+    uint64_t sum = 0;
     for (char *path; text && (path = next_path(&rest));)
         if (is_own_header(watch, path))
-            sum = add_file(sum, path);
+            sum = watch_fingerprint(hash_u64(sum + 1), path);
     free(text);
     return sum;
 }

@@ -6,25 +6,14 @@
 #include "preview/watch/watch_build.h"
 #include "steps/steps.h"
 
-#if defined(__APPLE__)
-#define CHANGED_AT(info) (info).st_mtimespec
-#else
-#define CHANGED_AT(info) (info).st_mtim
-#endif
-
-// What tells one state of a file from the next.
-typedef struct {
-    bool there;
-    long long seconds, nanoseconds, size;
-    unsigned long long number;
-    unsigned long long headers; // of the student's own that it includes, all together
-} Fingerprint;
+#include <stdint.h>
 
 typedef struct {
-    Fingerprint fingerprint;
-    bool dirty;      // was saved and waits to be built
-    char error[300]; // of its last build; "": it went well
-    double since;    // of the last sign that it was saved
+    uint64_t fingerprint; // when it was last looked at; 0: it is not there
+    uint64_t headers;     // of the student's own that it includes, all together
+    bool dirty;           // was saved and waits to be built
+    char error[300];      // of its last build; "": it went well
+    double since;         // of the last sign that it was saved
 } Source;
 
 struct Watch {
@@ -39,12 +28,19 @@ struct Watch {
     char stray[512]; // a saved file that is named like no step; "": none
 };
 
-const char *watch_step_name(const StepInfo *step); // "1.3_scatter_diffuse"
-Fingerprint watch_fingerprint(const Watch *watch, size_t step);
+void watch_path(char path[4096], const char *folder, size_t step, const char *ending);
 // Of the headers below the watched folder that the step's last build read, as the compiler has written them down beside
 // the object. 0: none.
-unsigned long long watch_headers_fingerprint(const Watch *watch, size_t step);
+uint64_t watch_headers(const Watch *watch, size_t step);
 void watch_mark(Watch *watch, size_t step); // its file was saved, or may have been
+
+#if defined(__APPLE__)
+#define CHANGED_AT(info) (info).st_mtimespec
+#else
+#define CHANGED_AT(info) (info).st_mtim
+#endif
+// What tells one state of a file from the next, and of those in the sum. 0: an empty sum, and no such file.
+uint64_t watch_fingerprint(uint64_t sum, const char *path);
 
 // By inotify; without it the first two do nothing, and times have to do.
 void watch_start_listening(Watch *watch);

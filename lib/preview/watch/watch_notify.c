@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #if defined(__linux__)
@@ -19,8 +20,8 @@ static void watch_folders(Watch *watch)
 {
     for (size_t i = 0; i < STEP_COUNT; i++) {
         char path[4096];
-        const char *slash = strchr(step_table[i].file, '/');
-        snprintf(path, sizeof path, "%s/%.*s", watch->source, (int)(slash - step_table[i].file), step_table[i].file);
+        watch_path(path, watch->source, i, "");
+        *strrchr(path, '/') = '\0';
         watch->folders[i] = inotify_add_watch(watch->inotify, path, CHANGES | IN_ONLYDIR);
     }
 }
@@ -39,20 +40,20 @@ static void take_change(Watch *watch, const struct inotify_event *event)
         watch->looked = 0.0;
         return;
     }
-    bool known = event->len == 0;
-    for (size_t i = 0; i < STEP_COUNT && event->len > 0; i++) {
-        const char *name = watch_step_name(&step_table[i]);
-        size_t length = strlen(name);
-        if (event->wd != watch->folders[i] || strncmp(event->name, name, length) != 0 ||
-            strcmp(event->name + length, ".c") != 0)
+    if (event->len == 0)
+        return;
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        char path[4096];
+        struct stat info;
+        watch_path(path, watch->source, i, ".c");
+        if (event->wd != watch->folders[i] || strcmp(event->name, strrchr(path, '/') + 1) != 0)
             continue;
-        known = true;
-        if (!(event->mask & IN_CREATE && !watch_fingerprint(watch, i).size))
+        if (!(event->mask & IN_CREATE) || (stat(path, &info) == 0 && info.st_size > 0))
             watch_mark(watch, i);
+        return;
     }
-    if (!known)
-        watch->looked = 0.0; // a header of a step's?
-    if (!known && event->mask & (IN_CLOSE_WRITE | IN_MOVED_TO) && looks_like_a_step(event->name))
+    watch->looked = 0.0; // a header of a step's?
+    if (event->mask & (IN_CLOSE_WRITE | IN_MOVED_TO) && looks_like_a_step(event->name))
         snprintf(watch->stray, sizeof watch->stray, "%s", event->name);
 }
 
@@ -62,16 +63,12 @@ void watch_take_changes(Watch *watch)
         struct inotify_event event; // aligned as one must be
         char bytes[8192];
     } events;
-    for (;;) {
-        ssize_t size = watch->inotify >= 0 ? read(watch->inotify, events.bytes, sizeof events.bytes) : 0;
-        if (size <= 0)
-            return;
+    for (ssize_t size; watch->inotify >= 0 && (size = read(watch->inotify, events.bytes, sizeof events.bytes)) > 0;)
         for (ssize_t at = 0; at < size;) {
             const struct inotify_event *event = (const struct inotify_event *)(const void *)(events.bytes + at);
             take_change(watch, event);
             at += (ssize_t)(sizeof *event + event->len);
         }
-    }
 }
 
 void watch_start_listening(Watch *watch)
@@ -79,15 +76,13 @@ void watch_start_listening(Watch *watch)
     const char *wish = getenv("PHOTONLAB_WATCH");
     if (wish && strcmp(wish, "times") == 0)
         return;
-    watch->inotify = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-    if (watch->inotify < 0)
-        return;
-    if (inotify_add_watch(watch->inotify, watch->source, CHANGES | IN_ONLYDIR) < 0) {
-        close(watch->inotify);
-        watch->inotify = -1;
-        return;
+    int opened = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    if (opened >= 0 && inotify_add_watch(opened, watch->source, CHANGES | IN_ONLYDIR) >= 0) {
+        watch->inotify = opened;
+        watch_folders(watch);
+    } else if (opened >= 0) {
+        close(opened);
     }
-    watch_folders(watch);
 }
 #else
 void watch_take_changes(Watch *watch)
