@@ -1,6 +1,7 @@
-#define _GNU_SOURCE // REG_RIP
+#define _GNU_SOURCE // REG_RIP, dladdr
 #include "base/crash_report.h"
 
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -76,17 +77,29 @@ static void on_signal(int number, siginfo_t *info, void *context)
     _exit(128 + number); // not by the signal itself, which the first process of a namespace does not die of
 }
 
-int crash_frames(const char *place, void *frames[CRASH_FRAMES])
+static void take_address(const char *address, bool returns, void (*take)(const CrashPlace *place))
 {
-    int count = 0, first = 0;
+    Dl_info info;
+    if (!dladdr((void *)(size_t)address, &info) || !info.dli_fname)
+        return;
+    ptrdiff_t offset = address - (const char *)info.dli_fbase - returns;
+    CrashPlace place = {info.dli_fname, info.dli_sname, info.dli_saddr, (unsigned long long)offset};
+    take(&place);
+}
+
+void crash_walk(const char *place, void (*take)(const CrashPlace *place))
+{
+    if (place)
+        take_address(place, false, take);
 #ifdef HAS_BACKTRACE
-    count = backtrace(frames, CRASH_FRAMES);
-#endif
+    void *frames[64];
+    int count = backtrace(frames, 64), first = 0;
     for (int i = 0; i < count; i++)
         if (frames[i] == (const void *)place)
             first = i + 1; // what lies before is the handler
-    memmove(frames, frames + first, (size_t)(count - first) * sizeof *frames);
-    return count - first;
+    for (int i = first; i < count; i++)
+        take_address(frames[i], true, take);
+#endif
 }
 
 void crash_watch(void (*tell)(const Crash *crash), const int *signals, size_t count)

@@ -22,9 +22,15 @@ void crash_watch(void (*tell)(const Crash *crash), const int *signals, size_t co
 // The most memory that the process has had, kB; 0 where the system does not tell.
 unsigned long long crash_peak_kb(void);
 
-#define CRASH_FRAMES 64
-// The return addresses that lead to `place`, innermost first, without the handler's own. How many; 0 where the system
-// cannot tell. Over a broken stack it may crash: say first what is known.
-int crash_frames(const char *place, void *frames[CRASH_FRAMES]);
+// A place on the way to a crash.
+typedef struct {
+    const char *object, *symbol; // the file that the code was loaded from; the function's name, NULL: unknown
+    const void *function;        // where it begins; NULL: unknown
+    unsigned long long offset;   // in the object: of the instruction, or, one less than where it returns to, of a call
+} CrashPlace;
+
+// Tells of the instruction at `place` (NULL: unknown) and of the calls that led to it, innermost first, without the
+// handler's own. Over a broken stack finding these may crash: what is known should be said as it comes.
+void crash_walk(const char *place, void (*take)(const CrashPlace *place));
 
 #endif

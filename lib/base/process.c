@@ -22,6 +22,21 @@ bool pipe_open(int ends[2])
     return true;
 }
 
+bool write_all(int file, const void *bytes, size_t size)
+{
+    const char *rest = bytes;
+    while (size > 0) {
+        ssize_t written = write(file, rest, size);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return false;
+        rest += written;
+        size -= (size_t)written;
+    }
+    return true;
+}
+
 static char **english_environment(void)
 {
     size_t count = 0, kept = 0;

@@ -11,6 +11,9 @@ typedef struct {
     int output; // never waits when read; −1: closed
 } Process;
 
+// However often a signal cuts it. False: nobody reads.
+bool write_all(int file, const void *bytes, size_t size);
+
 // A pipe that programs started meanwhile do not inherit, and whose reader never waits. False: errno.
 bool pipe_open(int ends[2]);
 

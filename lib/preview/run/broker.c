@@ -1,5 +1,6 @@
-#define _GNU_SOURCE // MAP_ANONYMOUS
-#include "preview/run/broker.h"
+// The window's side of the helper process.
+#include "preview/run/helper.h"
+#include "preview/run/run_internal.h"
 #include "base/parallel.h"
 
 #include <errno.h>
@@ -8,21 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#ifndef MSG_NOSIGNAL
-#define MSG_NOSIGNAL 0
-#endif
-
-static WireHeart *share_hearts(void)
-{
-    void *memory =
-        mmap(NULL, MOST_HEARTS * sizeof(WireHeart), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    return memory == MAP_FAILED ? NULL : memory;
-}
 
 static bool fork_helper(Broker *broker, const Scene *scene, Error *error)
 {
@@ -35,7 +23,7 @@ static bool fork_helper(Broker *broker, const Scene *scene, Error *error)
     broker->pid = fork();
     if (broker->pid == 0) {
         close(ends[0]);
-        helper_run(scene, ends[1], broker->hearts);
+        helper_run(scene, ends[1]);
     }
     close(ends[1]);
     if (broker->pid < 0) {
@@ -43,25 +31,20 @@ static bool fork_helper(Broker *broker, const Scene *scene, Error *error)
         return error_set(error, "preview: cannot start a helper process: %s", strerror(errno));
     }
     broker->socket = ends[0];
-    fcntl(broker->socket, F_SETFL, O_NONBLOCK);
     return true;
 }
 
 Broker *broker_start(const Scene *scene, const char *code_source, Error *error)
 {
     Broker *broker = calloc(1, sizeof *broker);
-    WireHeart *hearts = share_hearts();
-    if (broker && hearts) {
-        broker->hearts = hearts;
-        broker_workers(broker, 0);
-        snprintf(broker->code_source, sizeof broker->code_source, "%s", code_source ? code_source : "");
-        if (fork_helper(broker, scene, error))
-            return broker;
-    } else {
+    if (!broker) {
         error_set(error, "preview: not enough memory for the helper process");
+        return NULL;
     }
-    if (hearts)
-        munmap(hearts, MOST_HEARTS * sizeof *hearts);
+    broker_workers(broker, 0);
+    snprintf(broker->code_source, sizeof broker->code_source, "%s", code_source ? code_source : "");
+    if (fork_helper(broker, scene, error))
+        return broker;
     free(broker);
     return NULL;
 }
@@ -84,7 +67,6 @@ void broker_stop(Broker *broker)
     }
     while (waitpid(broker->pid, NULL, 0) < 0 && errno == EINTR) {
     }
-    munmap(broker->hearts, MOST_HEARTS * sizeof *broker->hearts);
     free(broker);
 }
 
@@ -94,89 +76,49 @@ static void lose_helper(Broker *broker)
     broker->socket = -1;
 }
 
-// Waits until there is space: the helper always listens.
-static bool send_rest(Broker *broker, const char *rest, size_t size)
-{
-    while (size > 0) {
-        ssize_t sent = send(broker->socket, rest, size, MSG_NOSIGNAL);
-        if (sent > 0) {
-            rest += sent;
-            size -= (size_t)sent;
-        } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-            usleep(200);
-        } else if (errno != EINTR) {
-            return false;
-        }
-    }
-    return true;
-}
-
-// Descriptors travel with the first byte.
-static ssize_t send_with_pipes(Broker *broker, const WireOrder *order, const int *pipes)
+// The helper always listens. Descriptors travel with the first byte.
+bool broker_send(Broker *broker, const WireOrder *order, const int *pipes)
 {
     union {
         struct cmsghdr head;
         char bytes[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
-    } control;
-    size_t size = (size_t)order->workers * sizeof(int);
-    struct iovec part = {(void *)order, sizeof *order};
-    struct msghdr message;
-    memset(&control, 0, sizeof control);
-    memset(&message, 0, sizeof message);
-    message.msg_iov = &part;
-    message.msg_iovlen = 1;
-    message.msg_control = &control;
-    message.msg_controllen = CMSG_SPACE(size);
-    control.head.cmsg_level = SOL_SOCKET;
-    control.head.cmsg_type = SCM_RIGHTS;
-    control.head.cmsg_len = CMSG_LEN(size);
-    memcpy(CMSG_DATA(&control.head), pipes, size);
-    for (;;) {
-        ssize_t sent = sendmsg(broker->socket, &message, MSG_NOSIGNAL);
-        if (sent > 0 || (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR))
-            return sent;
-        usleep(200);
+    } control = {.head = {0}};
+    size_t pipes_size = (size_t)order->workers * sizeof(int);
+    struct iovec rest = {(void *)order, sizeof *order};
+    struct msghdr message = {.msg_iov = &rest, .msg_iovlen = 1};
+    if (pipes) {
+        message.msg_control = &control;
+        message.msg_controllen = CMSG_SPACE(pipes_size);
+        control.head.cmsg_level = SOL_SOCKET;
+        control.head.cmsg_type = SCM_RIGHTS;
+        control.head.cmsg_len = CMSG_LEN(pipes_size);
+        memcpy(CMSG_DATA(&control.head), pipes, pipes_size);
     }
-}
-
-bool broker_send(Broker *broker, const WireOrder *order, const int *pipes)
-{
-    if (broker->socket < 0)
-        return false;
-    ssize_t sent = order->kind == ORDER_START ? send_with_pipes(broker, order, pipes) : 0;
-    if (sent >= 0 && send_rest(broker, (const char *)order + sent, sizeof *order - (size_t)sent))
-        return true;
-    lose_helper(broker);
-    return false;
-}
-
-static void pass_on(Broker *broker, const WireEnd *end)
-{
-    for (int i = 0; i < MOST_HEARTS; i++)
-        if (broker->uses[i].run == end->run && broker->uses[i].worker == end->worker)
-            broker->uses[i] = (HeartUse){0, 0};
-    Run *run = run_find(broker, end->run);
-    if (run)
-        run_note_end(run, end->worker, end->status);
+    while (broker->socket >= 0 && rest.iov_len > 0) {
+        ssize_t sent = sendmsg(broker->socket, &message, MSG_NOSIGNAL);
+        if (sent < 0 && errno != EINTR)
+            lose_helper(broker);
+        if (sent <= 0)
+            continue;
+        message.msg_controllen = 0;
+        rest = (struct iovec){(char *)rest.iov_base + sent, rest.iov_len - (size_t)sent};
+    }
+    return broker->socket >= 0;
 }
 
 void broker_listen(Broker *broker)
 {
+    WireEnd end;
     while (broker->socket >= 0) {
-        ssize_t size = recv(broker->socket, broker->incoming + broker->incoming_size,
-                            sizeof broker->incoming - broker->incoming_size, 0);
+        ssize_t size = recv(broker->socket, &end, sizeof end, MSG_DONTWAIT);
         if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
             return;
-        if (size <= 0) {
+        if (size != (ssize_t)sizeof end) // so few bytes are never cut
             lose_helper(broker);
-            return;
-        }
-        broker->incoming_size += (size_t)size;
-        if (broker->incoming_size < sizeof(WireEnd))
-            continue;
-        WireEnd end;
-        memcpy(&end, broker->incoming, sizeof end);
-        broker->incoming_size = 0;
-        pass_on(broker, &end);
+        for (Run *run = broker->runs; run && broker->socket >= 0; run = run->next)
+            if (run->number == end.run) {
+                run->parts[end.worker].ended = true;
+                run->parts[end.worker].status = end.status;
+            }
     }
 }

@@ -1,5 +1,5 @@
 // Why a worker failed, in one sentence for the student.
-#include "preview/run/broker.h"
+#include "preview/run/run_internal.h"
 #include "base/crash_words.h"
 #include "base/file.h"
 #include "base/text.h"
@@ -26,14 +26,6 @@ static void source_of(const char *object, char *file, size_t size)
     size_t length = strlen(name);
     length -= length > 3 && strcmp(name + length - 3, ".so") == 0 ? 3 : 0;
     snprintf(file, size, "%.*s.c", (int)(length < 200 ? length : 200), name);
-}
-
-bool failure_look_up(const Failure *failure, Process *looker)
-{
-    char offset[32];
-    snprintf(offset, sizeof offset, "0x%llx", failure->crash.offset);
-    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", failure->crash.object, offset, NULL};
-    return failure->has_crash && failure->crash.object[0] && process_start(looker, arguments, PRINTS_OUTPUT);
 }
 
 // A place in a header is the library's, built into the step.
@@ -68,41 +60,41 @@ static const char *unit_of_work(RunKind kind)
 }
 
 // Filling much memory takes time: patience may end before the memory does. A picture has photons of its own.
-static bool is_out_of_memory(const Failure *failure)
+static bool is_out_of_memory(const Run *run)
 {
-    const WireCrash *crash = &failure->crash;
+    const WireCrash *crash = &run->crash;
     unsigned long long most = (unsigned long long)WORKER_MEMORY_GB << 20;
-    bool growing = failure->stuck && failure->kind != RUN_RENDER && crash->grown_kb > most / 4;
-    return crash->refused || growing || (failure->kind != RUN_RENDER && crash->grown_kb > most / 8 * 7);
+    bool growing = run->stuck && run->request.kind != RUN_RENDER && crash->grown_kb > most / 4;
+    return crash->refused || growing || (run->request.kind != RUN_RENDER && crash->grown_kb > most / 8 * 7);
 }
 
-static void describe_crash(const Failure *failure, char *what, size_t size)
+static void describe_crash(const Run *run, char *what, size_t size)
 {
-    const WireCrash *crash = &failure->crash;
+    const WireCrash *crash = &run->crash;
     if (crash->signal == 0)
         snprintf(what, size, "called exit, which ends the whole program");
     else if (crash->stack_far)
         crash_describe_stack(NULL, crash->calls_itself ? "it" : NULL, what, size);
-    else if (is_out_of_memory(failure) && failure->stuck && !crash->refused)
+    else if (is_out_of_memory(run) && run->stuck && !crash->refused)
         snprintf(what, size, "asked for ever more memory: %.1f GB when it was stopped",
                  (double)crash->grown_kb / (1024.0 * 1024.0));
-    else if (is_out_of_memory(failure))
+    else if (is_out_of_memory(run))
         snprintf(what, size, "asked for more than %d GB of memory", WORKER_MEMORY_GB);
-    else if (failure->stuck)
-        snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", failure->patience,
-                 unit_of_work(failure->kind));
+    else if (run->stuck)
+        snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", run->patience,
+                 unit_of_work(run->request.kind));
     else if (crash->signal == SIGABRT)
         snprintf(what, size, "abort() was called (an assertion, or memory freed twice? The terminal may tell)");
     else
         crash_describe_signal(crash->signal, crash->address, "", what, size);
 }
 
-static void describe_end(const Failure *failure, char *text, size_t size)
+static void describe_end(const Run *run, char *text, size_t size)
 {
-    int status = failure->status;
-    if (failure->stuck)
-        snprintf(text, size, "ran for %.3g s without finishing a %s; an endless loop?", failure->patience,
-                 unit_of_work(failure->kind));
+    int status = run->end_status;
+    if (run->stuck)
+        snprintf(text, size, "ran for %.3g s without finishing a %s; an endless loop?", run->patience,
+                 unit_of_work(run->request.kind));
     else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
         snprintf(text, size,
                  "the run was ended from outside (signal 9): by hand, or by the system for want of memory?");
@@ -130,14 +122,14 @@ static int find_line(const char *folder, const StepInfo *step, const char *word)
     return line;
 }
 
-static void describe_missing(const Failure *failure, const StepInfo *step, const char *symbol, char *text, size_t size)
+static void describe_missing(const Run *run, const StepInfo *step, const char *symbol, char *text, size_t size)
 {
     Spot spot = {"", "", 0};
     char name[128], what[256];
     snprintf(name, sizeof name, "%.*s", (int)strcspn(symbol, " \n'(,;"), symbol);
     source_of(step->file, spot.file, sizeof spot.file);
     snprintf(spot.function, sizeof spot.function, "%s", step->symbol);
-    spot.line = find_line(failure->code_source, step, name);
+    spot.line = find_line(run->broker->code_source, step, name);
     snprintf(what, sizeof what, "calls `%s`, and there is no such function", name);
     put_spot(&spot, what, text, size);
 }
@@ -154,14 +146,14 @@ static const StepInfo *step_of_words(const char *words)
 }
 
 // What steps_load says of objects, said of sources, which is what students know.
-static void describe_words(const Failure *failure, char *text, size_t size)
+static void describe_words(const Run *run, char *text, size_t size)
 {
-    const char *words = failure->words;
+    const char *words = run->words;
     const StepInfo *step = step_of_words(words);
     const char *missing = strstr(words, "undefined symbol: "), *no_name = strstr(words, ": no step has this name");
     char file[256];
     if (step && missing) {
-        describe_missing(failure, step, missing + strlen("undefined symbol: "), text, size);
+        describe_missing(run, step, missing + strlen("undefined symbol: "), text, size);
     } else if (step && strstr(words, " has no function `")) {
         source_of(step->file, file, sizeof file);
         snprintf(text, size, "%s: there is no function `%s` in it; see the prototype in lib/steps/", file,
@@ -176,24 +168,24 @@ static void describe_words(const Failure *failure, char *text, size_t size)
     }
 }
 
-void failure_describe(const Failure *failure, const char *found, char *text, size_t size)
+void run_describe_failure(const Run *run, char *text, size_t size)
 {
-    if (failure->words) {
-        describe_words(failure, text, size);
+    if (run->words[0]) {
+        describe_words(run, text, size);
         return;
     }
-    if (!failure->has_crash) {
-        describe_end(failure, text, size);
+    if (!run->has_crash) {
+        describe_end(run, text, size);
         return;
     }
     Spot spot = {"", "", 0};
     char what[256];
-    if (failure->crash.object[0]) {
-        source_of(failure->crash.object, spot.file, sizeof spot.file);
-        snprintf(spot.function, sizeof spot.function, "%s", failure->crash.symbol);
-        read_answer(found, &spot);
+    if (run->crash.object[0]) {
+        source_of(run->crash.object, spot.file, sizeof spot.file);
+        snprintf(spot.function, sizeof spot.function, "%s", run->crash.symbol);
+        read_answer(run->found, &spot);
     }
-    describe_crash(failure, what, sizeof what);
+    describe_crash(run, what, sizeof what);
     put_spot(&spot, what, text, size);
     if (!spot.file[0])
         snprintf(text, size,

@@ -1,4 +1,4 @@
-#include "preview/run/helper_output.h"
+#include "preview/run/helper.h"
 #include "base/process.h"
 
 #include <errno.h>
@@ -6,37 +6,12 @@
 #include <string.h>
 #include <unistd.h>
 
-void output_open(HelperOutput *output)
-{
-    int ends[2];
-    *output = (HelperOutput){.read = -1, .write = -1};
-    if (!pipe_open(ends))
-        return;
-    output->read = ends[0];
-    output->write = ends[1];
-}
-
 void output_join(const HelperOutput *output)
 {
-    if (output->write < 0)
-        return;
-    dup2(output->write, STDOUT_FILENO);
-    dup2(output->write, STDERR_FILENO);
-    close(output->read);
-    close(output->write);
-}
-
-static void print(const char *text, size_t size)
-{
-    while (size > 0) {
-        ssize_t written = write(STDOUT_FILENO, text, size);
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written <= 0)
-            return; // nobody reads
-        text += written;
-        size -= (size_t)written;
-    }
+    dup2(output->ends[1], STDOUT_FILENO);
+    dup2(output->ends[1], STDERR_FILENO);
+    close(output->ends[0]);
+    close(output->ends[1]);
 }
 
 // How many of these bytes belong to the first lines.
@@ -52,7 +27,7 @@ static size_t first_lines(HelperOutput *output, const char *bytes, size_t size)
 static void sort(HelperOutput *output, const char *bytes, size_t size)
 {
     size_t shown = first_lines(output, bytes, size);
-    print(bytes, shown);
+    write_all(STDOUT_FILENO, bytes, shown);
     if (shown > 0)
         output->in_line = bytes[shown - 1] != '\n';
     output->more_bytes += size - shown;
@@ -63,7 +38,7 @@ static void sort(HelperOutput *output, const char *bytes, size_t size)
 void output_pass_on(HelperOutput *output)
 {
     char bytes[1 << 16];
-    for (ssize_t got; output->read >= 0 && (got = read(output->read, bytes, sizeof bytes)) != 0;) {
+    for (ssize_t got; (got = read(output->ends[0], bytes, sizeof bytes)) != 0;) {
         if (got > 0)
             sort(output, bytes, (size_t)got);
         else if (errno != EINTR)
@@ -80,14 +55,12 @@ static void tell_rest(HelperOutput *output)
                  output->in_line ? "\n" : "", output->more_lines);
     else if (output->in_line)
         snprintf(text, sizeof text, "\n");
-    print(text, strlen(text));
+    write_all(STDOUT_FILENO, text, strlen(text));
 }
 
 void output_end(HelperOutput *output)
 {
     output_pass_on(output);
     tell_rest(output);
-    output->lines = output->more_lines = 0;
-    output->bytes = output->more_bytes = 0;
-    output->in_line = false;
+    *output = (HelperOutput){.ends = {output->ends[0], output->ends[1]}};
 }

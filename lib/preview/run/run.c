@@ -20,26 +20,13 @@ void run_patience(Run *run, double seconds)
     run->patience = run->request.kind == RUN_RENDER ? 5.0 * seconds : seconds;
 }
 
-Run *run_find(Broker *broker, uint32_t number)
-{
-    Run *run = broker->runs;
-    while (run && run->number != number)
-        run = run->next;
-    return run;
-}
-
-void run_note_end(Run *run, int worker, int status)
-{
-    run->parts[worker].ended = true;
-    run->parts[worker].status = status;
-}
-
-static void send_order(Run *run, OrderKind kind, int worker)
+// To all of its workers, or to one.
+static void send_signal(Run *run, int number, int worker)
 {
     WireOrder order;
     memset(&order, 0, sizeof order);
-    order.kind = kind;
     order.run = run->number;
+    order.signal = number;
     order.worker = worker;
     broker_send(run->broker, &order, NULL);
 }
@@ -56,7 +43,7 @@ void run_end_workers(Run *run)
         part_free(part);
     }
     if (working)
-        send_order(run, ORDER_END, 0);
+        send_signal(run, SIGKILL, 0);
 }
 
 void run_free(Run *run)
@@ -74,19 +61,17 @@ void run_free(Run *run)
 }
 
 // Time of a processor that the worker has used, s; −1 where the system does not tell.
-static double processor_seconds(const Run *run, const Part *part)
+static double processor_seconds(pid_t pid)
 {
 #if defined(__linux__)
     clockid_t clock;
     struct timespec used;
-    pid_t pid = (pid_t)run->broker->hearts[part->heart].pid;
     if (pid <= 0)
         return 0.0; // not there yet
     if (clock_getcpuclockid(pid, &clock) == 0 && clock_gettime(clock, &used) == 0)
         return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
 #else
-    (void)run;
-    (void)part;
+    (void)pid;
 #endif
     return -1.0;
 }
@@ -97,23 +82,21 @@ static bool is_stuck(const Run *run, const Part *part, double now)
     double quiet = now - part->alive;
     if (quiet < run->patience)
         return false;
-    double used = processor_seconds(run, part);
+    double used = processor_seconds(part->pid);
     return used < 0.0 || used - part->processor > 0.5 * run->patience || quiet > 3.0 * run->patience;
 }
 
-static void watch_heart(Run *run, Part *part, bool news)
+static void watch_life(Run *run, Part *part, bool news)
 {
     double now = clock_seconds();
-    uint64_t beats = run->broker->hearts[part->heart].beats;
-    if (news || beats != part->beats || part->waiting) {
-        part->beats = beats;
+    if (news || part->waiting) {
         part->alive = now;
-        part->processor = processor_seconds(run, part);
+        part->processor = processor_seconds(part->pid);
     } else if (part->asked > 0.0 && now - part->asked > 0.5) {
-        run->failure.stuck = true; // it does not answer
+        run->stuck = true; // it does not answer
     } else if (part->asked <= 0.0 && is_stuck(run, part, now)) {
         part->asked = now;
-        send_order(run, ORDER_WHERE, (int)(part - run->parts));
+        send_signal(run, SIGUSR1, (int)(part - run->parts));
     }
 }
 
@@ -122,14 +105,10 @@ static void read_parts(Run *run)
     double until = clock_seconds() + A_MOMENT;
     for (int i = 0; i < run->part_count; i++) {
         Part *part = &run->parts[i];
-        if (part->waiting && run_take_picture(run, part)) {
-            part->waiting = false;
-            part->head_size = part->payload.size = 0;
-        }
         bool news = part_read(run, part, until);
         run->status.news = run->status.news || (news && run->request.kind != RUN_RENDER);
         if (part->pipe >= 0 && !part->done)
-            watch_heart(run, part, news);
+            watch_life(run, part, news);
     }
 }
 
@@ -138,9 +117,8 @@ static void look_for_end(Run *run)
     double fraction = 0.0;
     bool all_done = true;
     for (int i = 0; i < run->part_count; i++) {
-        Part *part = &run->parts[i];
-        double own = run->broker->hearts[part->heart].fraction;
-        fraction += part->done ? 1.0 : own >= 0.0 && own <= 1.0 ? own : 0.0;
+        const Part *part = &run->parts[i];
+        fraction += part->done ? 1.0 : part->fraction;
         all_done = all_done && part->done;
     }
     run->status.fraction = fraction / (double)run->part_count;

@@ -72,7 +72,7 @@ Recording run_take_recording(Run *run);
 // sample. False: nothing has come yet, or memory is short. `emitted` says about how many paths that were; powers are
 // those of the whole run, so the request's photons over `emitted` makes them as bright as they will be. The ledger is
 // not known yet.
-bool run_copy_partial(const Run *run, Recording *recording);
+bool run_copy_partial(Run *run, Recording *recording);
 
 LobeSamples run_take_lobe(Run *run);
 

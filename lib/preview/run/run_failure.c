@@ -8,24 +8,21 @@
 
 #define LONGEST_LOOK_UP 1.0 // s
 
+static bool look_up(Run *run)
+{
+    char offset[32];
+    snprintf(offset, sizeof offset, "0x%llx", run->crash.offset);
+    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", run->crash.object, offset, NULL};
+    run->look_until = clock_seconds() + LONGEST_LOOK_UP;
+    return run->crash.object[0] && process_start(&run->looker, arguments, PRINTS_OUTPUT);
+}
+
 static void finish_failure(Run *run)
 {
     process_kill(&run->looker);
-    failure_describe(&run->failure, run->found, run->status.failure, sizeof run->status.failure);
+    run_describe_failure(run, run->status.failure, sizeof run->status.failure);
     run->status.state = RUN_FAILED;
     run->status.news = true;
-}
-
-static void begin_failure(Run *run)
-{
-    run_end_workers(run);
-    run->failing = true;
-    run->failure.patience = run->patience;
-    run->failure.kind = run->request.kind;
-    run->failure.code_source = run->broker->code_source;
-    run->look_until = clock_seconds() + LONGEST_LOOK_UP;
-    if (run->failure.words || !failure_look_up(&run->failure, &run->looker))
-        finish_failure(run);
 }
 
 void run_go_on_with_failure(Run *run)
@@ -35,33 +32,41 @@ void run_go_on_with_failure(Run *run)
         finish_failure(run);
 }
 
-static void fail_with(Run *run, const char *words)
+static const Part *failed_part(const Run *run)
 {
-    snprintf(run->words, sizeof run->words, "%s", words);
-    run->failure.words = run->words;
-    begin_failure(run);
+    for (const Part *part = run->parts; part < run->parts + run->part_count; part++)
+        if (!part->done && part->pipe < 0 && (run->words[0] || run->has_crash || part->ended))
+            return part;
+    return NULL;
+}
+
+static bool has_failed(Run *run)
+{
+    const Part *part = failed_part(run);
+    const char *words = "";
+    bool all_done = true;
+    for (int i = 0; i < run->part_count; i++)
+        all_done = all_done && run->parts[i].done;
+    if (part) {
+        run->end_status = part->status;
+        run->stuck = run->stuck || (run->has_crash && run->crash.signal == SIGUSR1);
+        return true;
+    }
+    if (run->out_of_memory)
+        words = "not enough memory for what the run found; use fewer photons";
+    else if (!run->stuck && run->broker->socket < 0 && !all_done)
+        words = "the preview's helper process is gone; start the preview again";
+    if (words[0])
+        snprintf(run->words, sizeof run->words, "%s", words);
+    return words[0] || run->stuck;
 }
 
 void run_look_for_failure(Run *run)
 {
-    bool all_done = true;
-    for (int i = 0; i < run->part_count && !run->failing; i++) {
-        Part *part = &run->parts[i];
-        all_done = all_done && part->done;
-        if (part->done || part->pipe >= 0)
-            continue;
-        if (run->failure.has_crash && run->failure.crash.signal == SIGUSR1)
-            run->failure.stuck = true;
-        run->failure.status = part->status;
-        if (run->failure.words || run->failure.has_crash || part->ended)
-            begin_failure(run);
-    }
-    if (run->failing)
+    if (!has_failed(run))
         return;
-    if (run->out_of_memory)
-        fail_with(run, "not enough memory for what the run found; use fewer photons");
-    else if (run->failure.stuck)
-        begin_failure(run);
-    else if (run->broker->socket < 0 && !all_done)
-        fail_with(run, "the preview's helper process is gone; start the preview again");
+    run_end_workers(run);
+    run->failing = true;
+    if (run->words[0] || !look_up(run))
+        finish_failure(run);
 }

@@ -1,10 +1,24 @@
-// Inside of a Run.
+// Inside of a Broker and of a Run: the window's side.
 #ifndef PHOTONLAB_PREVIEW_RUN_INTERNAL_H
 #define PHOTONLAB_PREVIEW_RUN_INTERNAL_H
 
-#include "preview/run/broker.h"
+#include "base/process.h"
+#include "preview/run/wire.h"
 
-// A growing array of what one kind of message brings.
+struct Broker {
+    int socket; // −1: the helper is gone
+    pid_t pid;
+    int workers; // at most, per run
+    Run *runs;   // that are not freed, newest first
+    uint32_t last_run;
+    char code_source[4096];
+};
+
+// Sends an order, with `pipes`, a file descriptor for each worker, to those that start.
+bool broker_send(Broker *broker, const WireOrder *order, const int *pipes);
+// Takes what the helper has told of workers that ended.
+void broker_listen(Broker *broker);
+
 typedef struct {
     char *bytes;
     size_t size, capacity;
@@ -12,18 +26,16 @@ typedef struct {
 
 // One worker, seen from the window's process.
 typedef struct {
-    int pipe; // −1: closed
-    int heart;
-    WireHead head;
-    size_t head_size;         // bytes of the head that have come
-    Buffer payload;           // of the message that is coming
+    int pipe;                 // −1: closed
+    Buffer incoming;          // the message that is coming, with its head
     bool waiting;             // a whole picture whose turn has not come; nothing more is read meanwhile
     Buffer found[WIRE_FOUND]; // by the kind of message: photons, legs, samples
     bool done, ended;         // said that it was done; its process is gone
-    WireDone result;
-    int status;
-    uint64_t beats;
-    double alive, processor; // when it was last seen alive, and how much time of a processor it had used by then, s
+    Recording result;         // but for photons and legs
+    int status;               // as waitpid gives it
+    double fraction;
+    pid_t pid;               // 0: not there yet
+    double alive, processor; // when it was last heard of, and how much time of a processor it had used by then, s
     double asked;            // when it was asked where it is; 0: it was not
 } Part;
 
@@ -38,13 +50,17 @@ struct Run {
     RunStatus status;
     bool out_of_memory;
 
-    Failure failure; // while it is looked up, and after
-    bool failing;
-    char words[1024];
-    Process looker; // the program that looks
-    double look_until;
-    char found[2048];
+    // Why it failed
+    bool failing;     // the place is looked up; the sentence will follow
+    char words[1024]; // from WIRE_FAILED, or our own; "": none
+    bool has_crash;
+    WireCrash crash;
+    bool stuck;       // it was ended by the watch over its signs of life
+    int end_status;   // of the part that failed
+    Process looker;   // the program that looks up function and line
+    char found[2048]; // what it printed
     size_t found_size;
+    double look_until;
 
     Image image;
     int passes;
@@ -55,9 +71,6 @@ bool part_read(Run *run, Part *part, double until);
 void part_free(Part *part);
 bool buffer_add(Buffer *buffer, const void *bytes, size_t size);
 
-// A picture that has come whole. False: its turn has not come.
-bool run_take_picture(Run *run, Part *part);
-
 // Fills in the notice.
 void run_describe_oddities(Run *run);
 
@@ -65,5 +78,7 @@ void run_end_workers(Run *run);
 // Looks whether a part has failed, and then ends the others. The sentence may take a few more polls.
 void run_look_for_failure(Run *run);
 void run_go_on_with_failure(Run *run);
+// The sentence for the student, from what is known of the failure.
+void run_describe_failure(const Run *run, char *text, size_t size);
 
 #endif

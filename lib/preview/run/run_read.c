@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -33,14 +34,17 @@ bool buffer_add(Buffer *buffer, const void *bytes, size_t size)
     return true;
 }
 
+static void buffer_free(Buffer *buffer)
+{
+    free(buffer->bytes);
+    *buffer = (Buffer){NULL, 0, 0};
+}
+
 void part_free(Part *part)
 {
-    free(part->payload.bytes);
-    part->payload = (Buffer){NULL, 0, 0};
-    for (int kind = 0; kind < WIRE_FOUND; kind++) {
-        free(part->found[kind].bytes);
-        part->found[kind] = (Buffer){NULL, 0, 0};
-    }
+    buffer_free(&part->incoming);
+    for (int kind = 0; kind < WIRE_FOUND; kind++)
+        buffer_free(&part->found[kind]);
 }
 
 // The quick picture, blown up.
@@ -64,12 +68,14 @@ static void add_pass(Run *run, const Colour *pixels)
     }
 }
 
-// Passes are taken in their order, so that the same seed gives the same picture.
-bool run_take_picture(Run *run, Part *part)
+// Passes are taken in their order, so that the same seed gives the same picture. False: its turn has not come.
+static bool take_picture(Run *run, const Part *part, const char *bytes, size_t size)
 {
     WirePicture head;
-    memcpy(&head, part->payload.bytes, sizeof head);
-    const Colour *pixels = (const Colour *)(const void *)(part->payload.bytes + sizeof head);
+    if (size < sizeof head)
+        return true;
+    memcpy(&head, bytes, sizeof head);
+    const Colour *pixels = (const Colour *)(const void *)(bytes + sizeof head);
     if (!head.quick && run->passes % run->part_count != (int)(part - run->parts))
         return false;
     if (!run->image.pixels && !image_create(&run->image, run->request.width, run->request.height, NULL)) {
@@ -78,7 +84,7 @@ bool run_take_picture(Run *run, Part *part)
     }
     size_t expected = sizeof head + (size_t)head.width * (size_t)head.height * sizeof *pixels;
     bool whole = head.width == run->image.width && head.height == run->image.height;
-    if (expected != part->payload.size || head.width < 1 || head.height < 1)
+    if (expected != size || head.width < 1 || head.height < 1)
         return true;
     if (head.quick && run->passes == 0)
         show_quick(run, &head, pixels);
@@ -88,99 +94,90 @@ bool run_take_picture(Run *run, Part *part)
     return true;
 }
 
-// A worker tells twice: at once, and when it has found the way to the student's code. Of several that were asked, the
-// first word of one must not replace the last of another.
-static void take_crash(Failure *failure, const char *bytes)
+// A worker tells more than once: at once, and when it has found the way to the student's code. Of several that were
+// asked, the first word of one must not replace the last of another.
+static void take_crash(Run *run, const char *bytes)
 {
     WireCrash crash;
     memcpy(&crash, bytes, sizeof crash);
-    if (!failure->has_crash || crash.object[0] || !failure->crash.object[0])
-        failure->crash = crash;
-    failure->has_crash = true;
+    if (!run->has_crash || crash.object[0] || !run->crash.object[0])
+        run->crash = crash;
+    run->has_crash = true;
 }
 
-static bool take_message(Run *run, Part *part)
+// False: a picture whose turn has not come.
+static bool take_message(Run *run, Part *part, const WireHead *head, const char *bytes)
 {
-    const Buffer *payload = &part->payload;
-    switch ((WireKind)part->head.kind) {
+    part->fraction = head->fraction >= 0.0 && head->fraction <= 1.0 ? head->fraction : part->fraction;
+    part->pid = (pid_t)head->pid;
+    switch ((WireKind)head->kind) {
     case WIRE_PHOTONS:
     case WIRE_LEGS:
     case WIRE_SAMPLES:
-        return buffer_add(&part->found[part->head.kind], payload->bytes, payload->size);
+        run->out_of_memory = !buffer_add(&part->found[head->kind], bytes, head->bytes) || run->out_of_memory;
+        break;
+    case WIRE_ALIVE:
+        break;
     case WIRE_PICTURE:
-        part->waiting = payload->size >= sizeof(WirePicture) && !run_take_picture(run, part);
-        return true;
+        return take_picture(run, part, bytes, head->bytes);
     case WIRE_BEGUN:
     case WIRE_DONE:
-        if (payload->size == sizeof part->result) {
-            memcpy(&part->result, payload->bytes, sizeof part->result);
-            part->done = part->head.kind == WIRE_DONE;
+        if (head->bytes == sizeof part->result) {
+            memcpy(&part->result, bytes, sizeof part->result);
+            part->done = head->kind == WIRE_DONE;
         }
-        return true;
+        break;
     case WIRE_FAILED:
-        if (!run->failure.words) {
-            size_t size = payload->size < sizeof run->words ? payload->size : sizeof run->words - 1;
-            memcpy(run->words, payload->bytes, size);
-            run->failure.words = run->words;
-        }
-        return true;
+        if (!run->words[0])
+            snprintf(run->words, sizeof run->words, "%.*s", (int)head->bytes, bytes);
+        break;
     case WIRE_CRASH:
-        if (payload->size == sizeof run->failure.crash)
-            take_crash(&run->failure, payload->bytes);
-        return true;
+        if (head->bytes == sizeof run->crash)
+            take_crash(run, bytes);
+        break;
     }
     return true;
 }
 
-// Where the next bytes go, and how many are wanted; NULL when memory is short or the head makes no sense.
-static char *next_place(Part *part, size_t *size)
+// How many bytes of the message are known to come.
+static size_t message_size(const Buffer *message)
 {
-    if (part->head_size < sizeof part->head) {
-        *size = sizeof part->head - part->head_size;
-        return (char *)&part->head + part->head_size;
-    }
-    if (part->head.bytes > WIRE_MOST_BYTES || !buffer_reserve(&part->payload, part->head.bytes))
-        return NULL;
-    *size = part->head.bytes - part->payload.size;
-    return part->payload.bytes + part->payload.size;
+    size_t size = sizeof(WireHead);
+    return message->size < size ? size : size + ((const WireHead *)(const void *)message->bytes)->bytes;
 }
 
-static void note_bytes(Part *part, size_t size)
+// Takes the message if it is whole and its turn has come.
+static void finish_message(Run *run, Part *part)
 {
-    if (part->head_size < sizeof part->head)
-        part->head_size += size;
-    else
-        part->payload.size += size;
-}
-
-static bool is_whole(const Part *part)
-{
-    return part->head_size == sizeof part->head && part->payload.size == part->head.bytes;
+    Buffer *message = &part->incoming;
+    if (message->size < message_size(message))
+        return;
+    const WireHead *head = (const WireHead *)(const void *)message->bytes;
+    part->waiting = !take_message(run, part, head, message->bytes + sizeof *head);
+    message->size = part->waiting ? message->size : 0;
 }
 
 bool part_read(Run *run, Part *part, double until)
 {
+    Buffer *message = &part->incoming;
     bool news = false;
+    if (part->waiting)
+        finish_message(run, part);
     while (part->pipe >= 0 && !part->waiting && clock_seconds() < until) {
-        size_t size;
-        char *capacity = next_place(part, &size);
-        ssize_t got = capacity ? read(part->pipe, capacity, size) : 0;
+        size_t size = message_size(message);
+        bool has_memory = size <= WIRE_MOST_BYTES && buffer_reserve(message, size);
+        ssize_t got = has_memory ? read(part->pipe, message->bytes + message->size, size - message->size) : 0;
         if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
             return news;
-        if (got <= 0) {
-            run->out_of_memory = run->out_of_memory || !capacity;
-            close(part->pipe);
-            part->pipe = -1;
-            return true;
-        }
         news = true;
-        note_bytes(part, (size_t)got);
-        if (!is_whole(part))
+        if (got > 0) {
+            message->size += (size_t)got;
+            finish_message(run, part);
             continue;
-        if (!take_message(run, part))
-            run->out_of_memory = true;
-        part->head_size = part->waiting ? part->head_size : 0;
-        part->payload.size = part->waiting ? part->payload.size : 0;
+        }
+        run->out_of_memory = run->out_of_memory || !has_memory;
+        close(part->pipe);
+        part->pipe = -1;
     }
     return news;
 }

@@ -1,4 +1,4 @@
-// Getting a run under way: a heart and a pipe for each worker, and the order to the helper.
+// Getting a run under way: a pipe for each worker, and the order to the helper.
 #define _GNU_SOURCE // F_SETPIPE_SZ
 #include "preview/run/run_internal.h"
 #include "base/parallel.h"
@@ -22,41 +22,6 @@ static int count_workers(const Broker *broker, const RunRequest *request)
     return worth < broker->workers ? (int)worth : broker->workers;
 }
 
-static bool take_hearts(Run *run, int *hearts)
-{
-    Broker *broker = run->broker;
-    int found = 0;
-    for (int i = 0; i < MOST_HEARTS && found < run->part_count; i++)
-        if (broker->uses[i].run == 0)
-            hearts[found++] = i;
-    if (found < run->part_count)
-        return false;
-    for (int i = 0; i < found; i++)
-        broker->uses[hearts[i]] = (HeartUse){run->number, i};
-    return true;
-}
-
-// Workers of runs that were freed give theirs back when they have ended, very soon.
-static bool wait_for_hearts(Run *run, int *hearts)
-{
-    double until = clock_seconds() + 1.0;
-    do {
-        broker_listen(run->broker);
-        if (take_hearts(run, hearts))
-            return true;
-        struct pollfd watched = {run->broker->socket, POLLIN, 0};
-        poll(&watched, 1, 10);
-    } while (clock_seconds() < until && run->broker->socket >= 0);
-    return false;
-}
-
-static void give_hearts_back(const Run *run)
-{
-    for (int i = 0; i < MOST_HEARTS; i++)
-        if (run->broker->uses[i].run == run->number)
-            run->broker->uses[i] = (HeartUse){0, 0};
-}
-
 static bool open_pipes(Run *run, int *write_ends)
 {
     for (int i = 0; i < run->part_count; i++) {
@@ -75,14 +40,12 @@ static bool open_pipes(Run *run, int *write_ends)
     return true;
 }
 
-static bool send_start(Run *run, const int *hearts, const int *write_ends)
+static bool send_start(Run *run, const int *write_ends)
 {
     WireOrder order;
     memset(&order, 0, sizeof order);
-    order.kind = ORDER_START;
     order.run = run->number;
     order.workers = run->part_count;
-    memcpy(order.hearts, hearts, (size_t)run->part_count * sizeof *hearts);
     order.request = run->request;
     order.has_code = run->request.code != NULL;
     if (order.has_code)
@@ -93,21 +56,13 @@ static bool send_start(Run *run, const int *hearts, const int *write_ends)
 
 static bool begin(Run *run, Error *error)
 {
-    int hearts[MOST_WORKERS], write_ends[MOST_WORKERS];
-    if (!wait_for_hearts(run, hearts))
-        return error_set(error, run->broker->socket < 0 ? "the preview's helper process is gone; start it again"
-                                                        : "too many runs at once");
-    bool opened = open_pipes(run, write_ends);
-    bool ok = opened ? send_start(run, hearts, write_ends) ||
-                           error_set(error, "the preview's helper process is gone; start it again")
-                     : error_set(error, "no pipe for a worker: %s", strerror(errno));
-    for (int i = 0; opened && i < run->part_count; i++)
-        close(write_ends[i]); // the worker's end alone keeps the pipe open
-    if (!ok)
-        give_hearts_back(run);
+    int write_ends[MOST_WORKERS];
+    if (!open_pipes(run, write_ends))
+        return error_set(error, "no pipe for a worker: %s", strerror(errno));
+    bool sent = send_start(run, write_ends);
     for (int i = 0; i < run->part_count; i++)
-        run->parts[i].heart = hearts[i];
-    return ok;
+        close(write_ends[i]); // the worker's end alone keeps the pipe open
+    return sent || error_set(error, "the preview's helper process is gone; start it again");
 }
 
 Run *run_start(Broker *broker, const RunRequest *request, Error *error)
@@ -123,7 +78,7 @@ Run *run_start(Broker *broker, const RunRequest *request, Error *error)
         return NULL;
     }
     run->broker = broker;
-    run->number = ++broker->last_run ? broker->last_run : ++broker->last_run; // 0 is nobody
+    run->number = ++broker->last_run;
     run->request = *request;
     run->part_count = count_workers(broker, request);
     run->started = clock_seconds();

@@ -27,7 +27,7 @@ static void add_ledger(Ledger *sum, long sum_paths, const Ledger *part, long pat
 static void sum_up(const Run *run, Recording *recording)
 {
     for (int i = 0; i < run->part_count; i++) {
-        const WireDone *part = &run->parts[i].result;
+        const Recording *part = &run->parts[i].result;
         if (part->emitted > 0)
             add_ledger(&recording->ledger, recording->emitted, &part->ledger, part->emitted);
         recording->emitted += part->emitted;
@@ -55,31 +55,30 @@ void run_describe_oddities(Run *run)
     memcpy(run->status.notice, text, sizeof run->status.notice);
 }
 
-// Part after part: that is the order of the paths. The first part's memory takes the others'.
-static Buffer join(Run *run, WireKind kind)
+// Part after part: that is the order of the paths. Takes the parts' memory, the first one's for all, or copies it.
+static bool join(Run *run, WireKind kind, bool take, Buffer *whole)
 {
-    Buffer whole = run->parts[0].found[kind];
-    run->parts[0].found[kind] = (Buffer){NULL, 0, 0};
-    for (int i = 1; i < run->part_count; i++) {
-        Buffer *part = &run->parts[i].found[kind];
-        if (!buffer_add(&whole, part->bytes, part->size))
-            break;
-        free(part->bytes);
-        *part = (Buffer){NULL, 0, 0};
+    for (int i = 0; i < run->part_count; i++) {
+        Buffer *part = &run->parts[i].found[kind], none = {NULL, 0, 0};
+        if (take && i == 0) {
+            *whole = *part;
+        } else {
+            if (!buffer_add(whole, part->bytes, part->size))
+                return false;
+            if (!take)
+                continue;
+            free(part->bytes);
+        }
+        *part = none;
     }
-    return whole;
+    return true;
 }
 
-static Buffer copy(const Run *run, WireKind kind, bool *ok)
+// False: memory is short; what there was memory for is in it.
+static bool fill_in(Run *run, bool take, double seconds, Recording *recording)
 {
-    Buffer whole = {NULL, 0, 0};
-    for (int i = 0; *ok && i < run->part_count; i++)
-        *ok = buffer_add(&whole, run->parts[i].found[kind].bytes, run->parts[i].found[kind].size);
-    return whole;
-}
-
-static void fill_in(const Run *run, Buffer photons, Buffer legs, double seconds, Recording *recording)
-{
+    Buffer photons = {NULL, 0, 0}, legs = {NULL, 0, 0};
+    bool ok = join(run, WIRE_PHOTONS, take, &photons) && join(run, WIRE_LEGS, take, &legs);
     recording->photons = (RecordedPhoton *)(void *)photons.bytes;
     recording->count = photons.size / sizeof *recording->photons;
     recording->legs = (PathLeg *)(void *)legs.bytes;
@@ -87,6 +86,7 @@ static void fill_in(const Run *run, Buffer photons, Buffer legs, double seconds,
     recording->recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
     recording->seconds = seconds;
     recording_measure(recording);
+    return ok;
 }
 
 Recording run_take_recording(Run *run)
@@ -95,27 +95,24 @@ Recording run_take_recording(Run *run)
     if (run->status.state != RUN_DONE || run->request.kind != RUN_PHOTONS)
         return recording;
     sum_up(run, &recording);
-    Buffer photons = join(run, WIRE_PHOTONS);
-    fill_in(run, photons, join(run, WIRE_LEGS), run->seconds, &recording);
+    fill_in(run, true, run->seconds, &recording);
     return recording;
 }
 
-bool run_copy_partial(const Run *run, Recording *recording)
+bool run_copy_partial(Run *run, Recording *recording)
 {
+    const Part *first = &run->parts[0];
     *recording = (Recording){.photons = NULL};
-    if (run->status.state != RUN_GOING || run->failing || run->request.kind != RUN_PHOTONS)
+    if (run->status.state != RUN_GOING || run->failing || run->request.kind != RUN_PHOTONS ||
+        first->found[WIRE_PHOTONS].size == 0) // the first part's books are in by then
         return false;
-    bool ok = run->parts[0].found[WIRE_PHOTONS].size > 0; // the first part's books are in by then
-    Buffer photons = copy(run, WIRE_PHOTONS, &ok);
-    fill_in(run, photons, copy(run, WIRE_LEGS, &ok), clock_seconds() - run->started, recording);
-    if (!ok) {
+    if (!fill_in(run, false, clock_seconds() - run->started, recording)) {
         recording_free(recording);
         return false;
     }
-    recording->play = run->parts[0].result.play;
-    memcpy(recording->states, run->parts[0].result.states, sizeof recording->states);
-    recording->emitted = (long)(run->status.fraction * (double)run->request.photons);
-    recording->emitted = recording->emitted > 0 ? recording->emitted : 1;
+    recording->play = first->result.play;
+    memcpy(recording->states, first->result.states, sizeof recording->states);
+    recording->emitted = (long)fmax(1.0, run->status.fraction * (double)run->request.photons);
     return true;
 }
 

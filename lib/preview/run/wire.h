@@ -4,33 +4,20 @@
 
 #include "preview/run/run.h"
 
-#include <sys/types.h>
+#include <sys/socket.h>
 
 #define MOST_WORKERS 8
-#define MOST_HEARTS  128 // workers of all runs together
 
-// Memory that all share: a sign of life for each worker. Nothing in it is trusted, as students' code can write there.
-typedef struct {
-    volatile uint64_t beats;
-    volatile double fraction; // 0…1 of the worker's part
-    volatile long pid;
-    char apart[40]; // a line of the cache each
-} WireHeart;
+#ifndef MSG_NOSIGNAL
+#define MSG_NOSIGNAL 0
+#endif
 
-// ---- window to helper, by a socket; with ORDER_START come the write ends of the workers' pipes ----
-
-typedef enum {
-    ORDER_START,
-    ORDER_WHERE, // ask a worker where it is; it tells, and ends
-    ORDER_END    // kill the run's workers
-} OrderKind;
+// ---- window to helper, by a socket; with the order to start come the write ends of the workers' pipes ----
 
 typedef struct {
-    OrderKind kind;
     uint32_t run;
-    int worker;  // ORDER_WHERE
-    int workers; // ORDER_START, and each one's heart
-    int hearts[MOST_WORKERS];
+    int signal; // 0: start workers; SIGKILL for all of the run; SIGUSR1 asks `worker` where it is: it tells, and ends
+    int worker, workers;
     RunRequest request;
     bool has_code;
     char code[4096]; // in place of request.code
@@ -49,16 +36,20 @@ typedef enum {
     WIRE_PHOTONS, // RecordedPhoton…
     WIRE_LEGS,    // PathLeg…
     WIRE_SAMPLES, // LobeSample…
+    WIRE_ALIVE,   // nothing but the head
     WIRE_PICTURE, // WirePicture, and its pixels
-    WIRE_BEGUN,   // WireDone, of which states and play are known; the first one
-    WIRE_DONE,    // WireDone; the last one
+    WIRE_BEGUN,   // Recording, of which states and play are known; the first one
+    WIRE_DONE,    // Recording, but for what went before; the last one
     WIRE_FAILED,  // why it could not begin, in words
     WIRE_CRASH    // WireCrash; a later one knows more than an earlier
 } WireKind;
 #define WIRE_FOUND (WIRE_SAMPLES + 1) // kinds before that are kept, message after message
 
+// Each is a sign of life as well.
 typedef struct {
     uint32_t kind, bytes;
+    double fraction; // 0…1 of the worker's part
+    int64_t pid;     // the worker's
 } WireHead;
 #define WIRE_MOST_BYTES (1u << 30)
 
@@ -66,16 +57,6 @@ typedef struct {
     int width, height;
     bool quick; // a small one, to begin with
 } WirePicture;
-
-typedef struct {
-    Ledger ledger;
-    UnsoundPaths unsound;
-    long emitted, redraw_caps;
-    uint64_t segments;
-    int bounces;
-    StepState states[STEP_COUNT];
-    StepChoice play;
-} WireDone;
 
 typedef struct {
     int signal;     // SIGUSR1: it was asked where it is; 0: exit() was called

@@ -2,10 +2,12 @@
 #include "preview/run/worker.h"
 #include "base/parallel.h"
 #include "base/crash_report.h"
+#include "base/process.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -22,31 +24,34 @@
 #endif
 #endif
 
-static int window = -1; // the pipe to it
-static volatile sig_atomic_t sending;
+#define BEAT 0.1 // s between signs of life, when nothing else is sent
 
+static int window = -1; // the pipe to it
+static double last_sent, progress;
+static volatile sig_atomic_t sending; // a message is on its way, and no other may begin
+
+static char student[4096];             // the folder that their objects come from, with its slash
+static bool over;                      // what comes now is no longer the student's doing
+static unsigned long long peak_before; // kB
+static WireCrash crash;
+static const void *inner; // the innermost function of theirs on the way to it
+
+// Ends the process when the window no longer listens.
 static void send_all(const void *bytes, size_t size)
 {
-    const char *rest = bytes;
-    while (size > 0) {
-        ssize_t written = write(window, rest, size);
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written <= 0)
-            _exit(1);
-        rest += written;
-        size -= (size_t)written;
-    }
+    if (!write_all(window, bytes, size))
+        _exit(1);
 }
 
 void worker_send_both(WireKind kind, const void *first, size_t first_size, const void *rest, size_t rest_size)
 {
-    WireHead head = {(uint32_t)kind, (uint32_t)(first_size + rest_size)};
+    WireHead head = {(uint32_t)kind, (uint32_t)(first_size + rest_size), progress, getpid()};
     sending = true;
     send_all(&head, sizeof head);
     send_all(first, first_size);
     send_all(rest, rest_size);
     sending = false;
+    last_sent = clock_seconds();
 }
 
 void worker_send(WireKind kind, const void *bytes, size_t size)
@@ -54,9 +59,65 @@ void worker_send(WireKind kind, const void *bytes, size_t size)
     worker_send_both(kind, bytes, size, NULL, 0);
 }
 
-bool worker_is_sending(void)
+void worker_beat(double fraction)
 {
-    return sending;
+    progress = fraction;
+    if (clock_seconds() - last_sent > BEAT)
+        worker_send(WIRE_ALIVE, NULL, 0);
+}
+
+// The first in the student's code is where it was, and goes out at once.
+static void take_place(const CrashPlace *place)
+{
+    if (!student[0] || strncmp(place->object, student, strlen(student)) != 0)
+        return;
+    crash.calls_itself = crash.calls_itself || (inner && place->function == inner);
+    inner = inner ? inner : place->function;
+    if (crash.object[0])
+        return;
+    crash.offset = place->offset;
+    strncpy(crash.object, place->object, sizeof crash.object - 1);
+    strncpy(crash.symbol, place->symbol ? place->symbol : "", sizeof crash.symbol - 1);
+    worker_send(WIRE_CRASH, &crash, sizeof crash);
+}
+
+static void tell_crash(const char *place)
+{
+    if (sending)
+        return;
+    worker_send(WIRE_CRASH, &crash, sizeof crash); // over a broken stack the way up may not be found
+    crash_walk(place, take_place);
+    worker_send(WIRE_CRASH, &crash, sizeof crash);
+}
+
+static void on_signal(const Crash *at)
+{
+    crash.signal = at->signal;
+    crash.stack_far = at->stack_far;
+    crash.refused = at->reason == ENOMEM;
+    crash.grown_kb = at->peak_kb > peak_before ? at->peak_kb - peak_before : 0;
+    crash.address = at->address;
+    tell_crash(at->place);
+}
+
+static void on_exit_call(void)
+{
+    if (over)
+        return;
+    tell_crash(NULL);
+    fflush(stdout);
+    _exit(1);
+}
+
+// From now on a fatal signal, an exit() and SIGUSR1 tell the window where they came from.
+static void watch(const WireOrder *order)
+{
+    if (order->has_code)
+        snprintf(student, sizeof student, "%.4094s/", order->code);
+    peak_before = crash_peak_kb();
+    const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTRAP, SIGUSR1};
+    crash_watch(on_signal, signals, sizeof signals / sizeof *signals);
+    atexit(on_exit_call);
 }
 
 static void set_limit(int what, rlim_t most)
@@ -92,7 +153,7 @@ static bool work(Worker *worker, Error *error)
     const WireOrder *order = worker->order;
     if (!steps_load(order->has_code ? order->code : NULL, error))
         return false;
-    worker->heart->beats++;
+    worker_beat(0.0);
     worker->play = order->request.play_is_given ? order->request.play : step_choice_for_student();
     steps_play(worker->play);
     switch (order->request.kind) {
@@ -117,11 +178,12 @@ void worker_run(Worker *worker, int pipe)
     parallel_limit(1); // the threads of a process do not live on in a fork
     set_limits(worker);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what a step prints is out before it crashes
-    worker_watch(worker->order->has_code ? worker->order->code : "");
+    watch(worker->order);
+    worker_send(WIRE_ALIVE, NULL, 0); // by that it is known to the window
     Error error = {""};
     errno = 0;
     bool ok = work(worker, &error);
-    worker_watch_end();
+    over = true;
     if (!ok)
         worker_send(WIRE_FAILED, error.message, strlen(error.message));
     fflush(stdout);

@@ -7,8 +7,7 @@
 typedef struct {
     const Scene *scene;
     const WireOrder *order;
-    int index; // of order->workers
-    WireHeart *heart;
+    int index;    // of order->workers
     pid_t helper; // whose end is the worker's
     StepChoice play;
 } Worker;
@@ -25,13 +24,7 @@ bool worker_render(Worker *worker, Error *error); // goes on until it is killed
 void worker_send(WireKind kind, const void *bytes, size_t size);
 // In two parts.
 void worker_send_both(WireKind kind, const void *first, size_t first_size, const void *rest, size_t rest_size);
-// True while a message is on its way and no other may begin.
-bool worker_is_sending(void);
-
-// From now on a fatal signal, an exit() and SIGUSR1 tell the window where they came from. `code`: the folder of the
-// student's objects; "" when there is none.
-void worker_watch(const char *code);
-// What comes now is no longer the student's doing.
-void worker_watch_end(void);
+// Says that something was finished, and how much is now, 0…1 of the part. Cheap: may be called for each path.
+void worker_beat(double fraction);
 
 #endif

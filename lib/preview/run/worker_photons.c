@@ -18,18 +18,10 @@ typedef struct {
     PathLeg legs[BATCH];
 } PhotonSender;
 
-static void flush_photons(PhotonSender *s)
+static void flush(WireKind kind, const void *items, size_t item_size, size_t *count)
 {
-    if (s->photon_count > 0)
-        worker_send(WIRE_PHOTONS, s->photons, s->photon_count * sizeof s->photons[0]);
-    s->photon_count = 0;
-}
-
-static void flush_legs(PhotonSender *s)
-{
-    if (s->leg_count > 0)
-        worker_send(WIRE_LEGS, s->legs, s->leg_count * sizeof s->legs[0]);
-    s->leg_count = 0;
+    worker_send(kind, items, *count * item_size);
+    *count = 0;
 }
 
 static void take_path(void *user, long path)
@@ -37,8 +29,7 @@ static void take_path(void *user, long path)
     PhotonSender *s = user;
     s->path = path;
     s->path_photons = s->path_legs = 0;
-    s->worker->heart->beats++;
-    s->worker->heart->fraction = (double)(path - s->first) / (double)(s->last - s->first);
+    worker_beat((double)(path - s->first) / (double)(s->last - s->first));
 }
 
 static void take_photon(void *user, const StoredPhoton *photon, float flown)
@@ -48,7 +39,7 @@ static void take_photon(void *user, const StoredPhoton *photon, float flown)
         return;
     s->photons[s->photon_count] = (RecordedPhoton){*photon, flown};
     if (++s->photon_count == BATCH)
-        flush_photons(s);
+        flush(WIRE_PHOTONS, s->photons, sizeof s->photons[0], &s->photon_count);
 }
 
 static void take_leg(void *user, const Photon *photon, const Hit *hit)
@@ -72,7 +63,7 @@ static void take_leg(void *user, const Photon *photon, const Hit *hit)
                                  : LEG_SURFACE),
     };
     if (++s->leg_count == BATCH)
-        flush_legs(s);
+        flush(WIRE_LEGS, s->legs, sizeof s->legs[0], &s->leg_count);
 }
 
 // Half across the scene.
@@ -85,7 +76,7 @@ static float escape_reach(const Scene *scene)
 
 static void send_books(Worker *worker, WireKind kind, const PhotonPass *pass, int bounces)
 {
-    WireDone books;
+    Recording books;
     memset(&books, 0, sizeof books);
     books.ledger = pass->ledger;
     books.emitted = pass->emitted;
@@ -123,9 +114,8 @@ bool worker_photons(Worker *worker, Error *error)
     send_books(worker, WIRE_BEGUN, &pass, 0);
     if (!photon_pass_run(worker->scene, &options, &pass, error))
         return false;
-    flush_photons(&s);
-    flush_legs(&s);
-    worker->heart->fraction = 1.0;
+    flush(WIRE_PHOTONS, s.photons, sizeof s.photons[0], &s.photon_count);
+    flush(WIRE_LEGS, s.legs, sizeof s.legs[0], &s.leg_count);
     send_books(worker, WIRE_DONE, &pass, s.bounces);
     photon_pass_free(&pass);
     return true;
@@ -152,12 +142,9 @@ bool worker_lobe(Worker *worker, Error *error)
     size_t count = 0;
     for (long i = 0; i < request->samples; i++) {
         batch[count++] = draw_sample(request, incoming, normal, i);
-        worker->heart->beats++;
-        worker->heart->fraction = (double)(i + 1) / (double)request->samples;
-        if (count == BATCH || i + 1 == request->samples) {
-            worker_send(WIRE_SAMPLES, batch, count * sizeof batch[0]);
-            count = 0;
-        }
+        worker_beat((double)(i + 1) / (double)request->samples);
+        if (count == BATCH || i + 1 == request->samples)
+            flush(WIRE_SAMPLES, batch, sizeof batch[0], &count);
     }
     PhotonPass none = {.emitted = 0};
     send_books(worker, WIRE_DONE, &none, 0);

@@ -5,10 +5,9 @@
 
 static void beat(void *user, const char *phase, double fraction)
 {
-    Worker *worker = user;
+    (void)user;
     (void)phase;
-    worker->heart->beats++;
-    worker->heart->fraction = fraction;
+    worker_beat(fraction);
 }
 
 // The first pass is the picture that `photonlab render --samples 1 --seed S` gives; the others have seeds of their own.
@@ -30,7 +29,7 @@ static bool render_pass(Worker *worker, uint64_t pass, bool quick, Error *error)
         .play = worker->play,
         .glass_sides = 2,
         .reuse = REUSE_DEFAULT,
-        .progress = {beat, worker},
+        .progress = {beat, NULL},
     };
     RenderSettings *settings = &options.settings;
     settings->samples = 1;
@@ -47,7 +46,6 @@ static bool render_pass(Worker *worker, uint64_t pass, bool quick, Error *error)
     size_t pixels = (size_t)image.width * (size_t)image.height;
     worker_send_both(WIRE_PICTURE, &head, sizeof head, image.pixels, pixels * sizeof image.pixels[0]);
     image_free(&image);
-    worker->heart->beats++;
     return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/command_line.h"
 #include "base/file.h"
+#include "base/process.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -58,21 +59,6 @@ static bool run_case(const StepInfo *step, char *text, ProbeOutput *output, Erro
     if (strcmp(kind, "scatter") == 0)
         return probe_scatter(&line, output, error);
     return error_set(error, "no kind of case `%s`; expected %spaths, picture or scatter", kind, step ? "call, " : "");
-}
-
-static bool write_all(int fd, const void *bytes, size_t size)
-{
-    const char *rest = bytes;
-    while (size > 0) {
-        ssize_t written = write(fd, rest, size);
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written <= 0)
-            return false;
-        rest += written;
-        size -= (size_t)written;
-    }
-    return true;
 }
 
 static bool write_case(int fd, int number, const ProbeOutput *output)

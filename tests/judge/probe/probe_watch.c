@@ -1,9 +1,7 @@
 // What a crash leaves behind: one line that says which signal, in which case, and where in the step's object.
-#define _GNU_SOURCE // dladdr
 #include "judge/probe/probe.h"
 #include "base/crash_report.h"
 
-#include <dlfcn.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,32 +68,16 @@ static char *put_step(char *to)
     return to;
 }
 
-// `exact`: the very instruction; otherwise a return address, which is one behind the call.
-static char *put_place(char *to, char *place, bool exact, int *written)
+static void send_place(const CrashPlace *place)
 {
-    Dl_info info;
-    if (!dladdr(place, &info) || !info.dli_fname || !is_watched(info.dli_fname))
-        return to;
-    if (*written == 0)
+    static int sent;
+    char text[512], *to = text; // with the name of a step's directory
+    if (sent >= MOST_PLACES || !is_watched(place->object))
+        return;
+    if (sent == 0)
         to = put_text(put_step(to), " frames=");
-    to = put_text(to, (*written)++ ? ",0x" : "0x");
-    return put_number(to, (unsigned long long)(place - (char *)info.dli_fbase - !exact), 16);
-}
-
-// The instruction is known at once and goes out at once: over a broken stack the way up may not be found.
-static void send_frames(char *place)
-{
-    char line[512 + 20 * MOST_PLACES]; // with the name of a step's directory
-    int written = 0;
-    char *to = place ? put_place(line, place, true, &written) : line;
-    send(line, to);
-    void *frames[CRASH_FRAMES];
-    int count = crash_frames(place, frames);
-    to = line;
-    for (int i = 0; i < count && written < MOST_PLACES; i++)
-        to = put_place(to, frames[i], false, &written);
-    *to++ = '\n';
-    send(line, to);
+    to = put_text(to, sent++ ? ",0x" : "0x");
+    send(text, put_number(to, place->offset, 16));
 }
 
 static void report_crash(const Crash *crash)
@@ -115,7 +97,9 @@ static void report_crash(const Crash *crash)
     to = put_text(to, " peak_kb=");
     to = put_number(to, crash->peak_kb, 10);
     send(line, to);
-    send_frames(crash->place);
+    crash_walk(crash->place, send_place);
+    *line = '\n';
+    send(line, line + 1);
 }
 
 // The judge's filter cannot forbid exec, as it holds before this very program is started. From now on it can.

@@ -3,7 +3,7 @@
 #ifndef PHOTONLAB_TESTS_PREVIEW_HELPERS_H
 #define PHOTONLAB_TESTS_PREVIEW_HELPERS_H
 
-#include "preview/run/broker.h"
+#include "preview/run/run_internal.h"
 #include "unit/test_common.h"
 
 #include <sys/stat.h>

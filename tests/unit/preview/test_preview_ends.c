@@ -84,7 +84,7 @@ TEST(the_helper_ends_with_the_window)
         RunRequest request = photons_request("endless");
         Run *run = own ? run_start(own, &request, NULL) : NULL;
         long pids[2] = {own ? (long)own->pid : 0, 0};
-        while (run && !(pids[1] = own->hearts[0].pid))
+        for (; run && !(pids[1] = run->parts[0].pid); run_poll(run))
             usleep(1000);
         if (write(told[1], pids, sizeof pids) == (ssize_t)sizeof pids)
             pause();
