@@ -37,21 +37,6 @@ bool write_all(int file, const void *bytes, size_t size)
     return true;
 }
 
-static char **english_environment(void)
-{
-    size_t count = 0, kept = 0;
-    while (environ[count])
-        count++;
-    char **copy = calloc(count + 2, sizeof *copy);
-    if (!copy)
-        return NULL;
-    for (size_t i = 0; i < count; i++)
-        if (strncmp(environ[i], "LC_ALL=", 7) != 0)
-            copy[kept++] = environ[i];
-    copy[kept] = "LC_ALL=C";
-    return copy;
-}
-
 static void set_stream(posix_spawn_file_actions_t *actions, int stream, bool wanted, int pipe)
 {
     if (wanted)
@@ -66,7 +51,7 @@ bool process_start(Process *process, const char *const *arguments, ProcessPrints
     *process = (Process){0, -1};
     if (!pipe_open(ends))
         return false;
-    char **environment = english_environment();
+    setenv("LC_ALL", "C", true);
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     posix_spawn_file_actions_init(&actions);
@@ -77,11 +62,9 @@ bool process_start(Process *process, const char *const *arguments, ProcessPrints
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&attributes, 0);
     pid_t pid = 0;
-    int failed = posix_spawnp(&pid, arguments[0], &actions, &attributes, (char *const *)arguments,
-                              environment ? environment : environ);
+    int failed = posix_spawnp(&pid, arguments[0], &actions, &attributes, (char *const *)arguments, environ);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
-    free(environment);
     close(ends[1]);
     if (failed)
         close(ends[0]);

@@ -17,8 +17,8 @@ bool write_all(int file, const void *bytes, size_t size);
 // A pipe that programs started meanwhile do not inherit, and whose reader never waits. False: errno.
 bool pipe_open(int ends[2]);
 
-// Starts arguments[0], looked for as a shell does, with LC_ALL=C, since what it says is looked through for English words, and
-// in a process group of its own. What it prints is read from `output`: all, or standard output or standard error alone.
+// Starts arguments[0], looked for as a shell does, in a process group of its own; it, and whatever is started later, with
+// LC_ALL=C, since what it says is looked through for English words. What it prints is read from `output`: all, or standard output or standard error alone.
 typedef enum { PRINTS_ALL, PRINTS_OUTPUT, PRINTS_ERRORS } ProcessPrints;
 bool process_start(Process *process, const char *const *arguments, ProcessPrints prints); // false: errno
 // Takes what has come, up to size − 1 bytes in all; what is too much is thrown away. `output` is closed at its end.

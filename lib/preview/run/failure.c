@@ -12,12 +12,6 @@
 
 #define MOST_PLACES 16
 
-typedef struct {
-    char file[256]; // "1.3_scatter_diffuse.c"; "" when no place in the student's code is known
-    char function[128];
-    int line; // 0: unknown
-} Spot;
-
 // "…/1.3_scatter_diffuse.so" becomes "1.3_scatter_diffuse.c".
 static void source_of(const char *object, char *file, size_t size)
 {
@@ -29,34 +23,35 @@ static void source_of(const char *object, char *file, size_t size)
 }
 
 // A place in a header is the library's, built into the step.
-static void read_answer(const char *text, Spot *spot)
+static void read_answer(const char *text, SourcePlace *place)
 {
     SourcePlace places[MOST_PLACES];
     int count = crash_places(text, places, MOST_PLACES);
-    for (int i = 0; i < count && spot->line == 0; i++) {
-        if (strcmp(places[i].file, spot->file) != 0)
-            continue;
-        spot->line = places[i].line;
-        snprintf(spot->function, sizeof spot->function, "%s", places[i].function);
-    }
+    for (int i = 0; i < count && place->line == 0; i++)
+        if (strcmp(places[i].file, place->file) == 0)
+            *place = places[i];
 }
 
-static void put_spot(const Spot *spot, const char *what, char *text, size_t size)
+static void put_place(const SourcePlace *place, const char *what, char *text, size_t size)
 {
     char line[32] = "";
-    if (spot->line > 0)
-        snprintf(line, sizeof line, ":%d", spot->line);
-    if (!spot->file[0])
+    if (place->line > 0)
+        snprintf(line, sizeof line, ":%d", place->line);
+    if (!place->file[0])
         snprintf(text, size, "%s", what);
-    else if (spot->function[0])
-        snprintf(text, size, "%s%s: %s: %s", spot->file, line, spot->function, what);
+    else if (place->function[0])
+        snprintf(text, size, "%s%s: %s: %s", place->file, line, place->function, what);
     else
-        snprintf(text, size, "%s%s: %s", spot->file, line, what);
+        snprintf(text, size, "%s%s: %s", place->file, line, what);
 }
 
-static const char *unit_of_work(RunKind kind)
+static void describe_loop(const Run *run, char *what, size_t size)
 {
-    return kind == RUN_PHOTONS ? "photon" : kind == RUN_LOBE ? "direction" : "part of the picture";
+    RunKind kind = run->request.kind;
+    snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", run->patience,
+             kind == RUN_PHOTONS ? "photon"
+             : kind == RUN_LOBE  ? "direction"
+                                 : "part of the picture");
 }
 
 // Filling much memory takes time: patience may end before the memory does. A picture has photons of its own.
@@ -81,8 +76,7 @@ static void describe_crash(const Run *run, char *what, size_t size)
     else if (is_out_of_memory(run))
         snprintf(what, size, "asked for more than %d GB of memory", WORKER_MEMORY_GB);
     else if (run->stuck)
-        snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", run->patience,
-                 unit_of_work(run->request.kind));
+        describe_loop(run, what, size);
     else if (crash->signal == SIGABRT)
         snprintf(what, size, "abort() was called (an assertion, or memory freed twice? The terminal may tell)");
     else
@@ -93,8 +87,7 @@ static void describe_end(const Run *run, char *text, size_t size)
 {
     int status = run->end_status;
     if (run->stuck)
-        snprintf(text, size, "ran for %.3g s without finishing a %s; an endless loop?", run->patience,
-                 unit_of_work(run->request.kind));
+        describe_loop(run, text, size);
     else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
         snprintf(text, size,
                  "the run was ended from outside (signal 9): by hand, or by the system for want of memory?");
@@ -111,9 +104,8 @@ static int find_line(const char *folder, const StepInfo *step, const char *word)
 {
     char path[4608];
     size_t size;
-    Error ignored = {""};
     snprintf(path, sizeof path, "%s/%s.c", folder, step->file);
-    char *text = file_read(path, 1u << 20, &size, &ignored);
+    char *text = file_read(path, 1u << 20, &size, NULL);
     const char *last = NULL;
     for (const char *at = text; at && (at = text_find_word(at, word)); at++)
         last = at;
@@ -124,34 +116,25 @@ static int find_line(const char *folder, const StepInfo *step, const char *word)
 
 static void describe_missing(const Run *run, const StepInfo *step, const char *symbol, char *text, size_t size)
 {
-    Spot spot = {"", "", 0};
+    SourcePlace place = {"", "", 0};
     char name[128], what[256];
     snprintf(name, sizeof name, "%.*s", (int)strcspn(symbol, " \n'(,;"), symbol);
-    source_of(step->file, spot.file, sizeof spot.file);
-    snprintf(spot.function, sizeof spot.function, "%s", step->symbol);
-    spot.line = find_line(run->broker->code_source, step, name);
+    source_of(step->file, place.file, sizeof place.file);
+    snprintf(place.function, sizeof place.function, "%s", step->symbol);
+    place.line = find_line(run->broker->code_source, step, name);
     snprintf(what, sizeof what, "calls `%s`, and there is no such function", name);
-    put_spot(&spot, what, text, size);
-}
-
-static const StepInfo *step_of_words(const char *words)
-{
-    for (size_t i = 0; i < STEP_COUNT; i++) {
-        size_t length = strlen(step_table[i].id);
-        if (strncmp(words, "step ", 5) == 0 && strncmp(words + 5, step_table[i].id, length) == 0 &&
-            words[5 + length] == ':')
-            return &step_table[i];
-    }
-    return NULL;
+    put_place(&place, what, text, size);
 }
 
 // What steps_load says of objects, said of sources, which is what students know.
 static void describe_words(const Run *run, char *text, size_t size)
 {
     const char *words = run->words;
-    const StepInfo *step = step_of_words(words);
+    char id[8] = "";
+    sscanf(words, "step %7[0-9.]:", id);
+    const StepInfo *step = step_find(id);
     const char *missing = strstr(words, "undefined symbol: "), *no_name = strstr(words, ": no step has this name");
-    char file[256];
+    char file[256], object[1024];
     if (step && missing) {
         describe_missing(run, step, missing + strlen("undefined symbol: "), text, size);
     } else if (step && strstr(words, " has no function `")) {
@@ -159,7 +142,6 @@ static void describe_words(const Run *run, char *text, size_t size)
         snprintf(text, size, "%s: there is no function `%s` in it; see the prototype in lib/steps/", file,
                  step->symbol);
     } else if (no_name) {
-        char object[1024];
         snprintf(object, sizeof object, "%.*s", (int)(no_name - words), words);
         source_of(object, file, sizeof file);
         snprintf(text, size, "%s%s", file, no_name);
@@ -178,16 +160,16 @@ void run_describe_failure(const Run *run, char *text, size_t size)
         describe_end(run, text, size);
         return;
     }
-    Spot spot = {"", "", 0};
+    SourcePlace place = {"", "", 0};
     char what[256];
     if (run->crash.object[0]) {
-        source_of(run->crash.object, spot.file, sizeof spot.file);
-        snprintf(spot.function, sizeof spot.function, "%s", run->crash.symbol);
-        read_answer(run->found, &spot);
+        source_of(run->crash.object, place.file, sizeof place.file);
+        snprintf(place.function, sizeof place.function, "%s", run->crash.symbol);
+        read_answer(run->found, &place);
     }
     describe_crash(run, what, sizeof what);
-    put_spot(&spot, what, text, size);
-    if (!spot.file[0])
+    put_place(&place, what, text, size);
+    if (!place.file[0])
         snprintf(text, size,
                  "%s, while none of your steps ran: did one write where it must not, or make photons "
                  "without end?",

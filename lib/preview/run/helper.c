@@ -72,7 +72,7 @@ static void tell_end(Helper *helper, const Child *child, int status)
 
 static void start(Helper *helper, const WireOrder *order, const int *pipes)
 {
-    if (order->has_code)
+    if (order->code[0])
         output_end(&helper->output); // what it prints is counted anew
     for (int i = 0; i < order->workers; i++) {
         Child *children = array_reserve(helper->children, helper->count, &helper->capacity, sizeof *children);

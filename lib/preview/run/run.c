@@ -23,11 +23,7 @@ void run_patience(Run *run, double seconds)
 // To all of its workers, or to one.
 static void send_signal(Run *run, int number, int worker)
 {
-    WireOrder order;
-    memset(&order, 0, sizeof order);
-    order.run = run->number;
-    order.signal = number;
-    order.worker = worker;
+    WireOrder order = {.run = run->number, .signal = number, .worker = worker};
     broker_send(run->broker, &order, NULL);
 }
 
@@ -151,16 +147,10 @@ void run_wait(Run *run, double seconds)
 {
     if (run->status.state != RUN_GOING)
         return;
-    struct pollfd watched[MOST_WORKERS + 2];
-    nfds_t count = 0;
-    if (run->broker->socket >= 0)
-        watched[count++] = (struct pollfd){run->broker->socket, POLLIN, 0};
-    if (run->looker.output >= 0)
-        watched[count++] = (struct pollfd){run->looker.output, POLLIN, 0};
+    struct pollfd watched[2 + MOST_WORKERS] = {{run->broker->socket, POLLIN, 0}, {run->looker.output, POLLIN, 0}};
     for (int i = 0; i < run->part_count; i++)
-        if (run->parts[i].pipe >= 0 && !run->parts[i].waiting)
-            watched[count++] = (struct pollfd){run->parts[i].pipe, POLLIN, 0};
-    poll(watched, count, (int)(1e3 * seconds + 0.999));
+        watched[2 + i] = (struct pollfd){run->parts[i].waiting ? -1 : run->parts[i].pipe, POLLIN, 0};
+    poll(watched, 2 + (nfds_t)run->part_count, (int)(1e3 * seconds + 0.999));
 }
 
 const Image *run_image(const Run *run, int *passes)

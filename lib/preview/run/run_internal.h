@@ -66,7 +66,7 @@ struct Run {
     int passes;
 };
 
-// Takes what has come from this part, for a moment at most. True: something was new.
+// Takes what has come from this part, for a moment at most. True: something was new, or may wait for the next time.
 bool part_read(Run *run, Part *part, double until);
 void part_free(Part *part);
 bool buffer_add(Buffer *buffer, const void *bytes, size_t size);

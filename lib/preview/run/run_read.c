@@ -163,7 +163,9 @@ bool part_read(Run *run, Part *part, double until)
     bool news = false;
     if (part->waiting)
         finish_message(run, part);
-    while (part->pipe >= 0 && !part->waiting && clock_seconds() < until) {
+    while (part->pipe >= 0 && !part->waiting) {
+        if (clock_seconds() > until)
+            return true;
         size_t size = message_size(message);
         bool has_memory = size <= WIRE_MOST_BYTES && buffer_reserve(message, size);
         ssize_t got = has_memory ? read(part->pipe, message->bytes + message->size, size - message->size) : 0;

@@ -42,15 +42,9 @@ static bool open_pipes(Run *run, int *write_ends)
 
 static bool send_start(Run *run, const int *write_ends)
 {
-    WireOrder order;
-    memset(&order, 0, sizeof order);
-    order.run = run->number;
-    order.workers = run->part_count;
-    order.request = run->request;
-    order.has_code = run->request.code != NULL;
-    if (order.has_code)
-        snprintf(order.code, sizeof order.code, "%s", run->request.code);
-    order.request.code = NULL;
+    const char *code = run->request.code;
+    WireOrder order = {.run = run->number, .workers = run->part_count, .request = run->request};
+    snprintf(order.code, sizeof order.code, "%s", code ? code : "");
     return broker_send(run->broker, &order, write_ends);
 }
 

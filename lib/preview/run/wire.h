@@ -19,8 +19,7 @@ typedef struct {
     int signal; // 0: start workers; SIGKILL for all of the run; SIGUSR1 asks `worker` where it is: it tells, and ends
     int worker, workers;
     RunRequest request;
-    bool has_code;
-    char code[4096]; // in place of request.code
+    char code[4096]; // in place of request.code; "": none
 } WireOrder;
 
 // ---- helper to window: a worker is gone ----

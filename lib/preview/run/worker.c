@@ -112,7 +112,7 @@ static void on_exit_call(void)
 // From now on a fatal signal, an exit() and SIGUSR1 tell the window where they came from.
 static void watch(const WireOrder *order)
 {
-    if (order->has_code)
+    if (order->code[0])
         snprintf(student, sizeof student, "%.4094s/", order->code);
     peak_before = crash_peak_kb();
     const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTRAP, SIGUSR1};
@@ -151,7 +151,7 @@ static void set_limits(const Worker *worker)
 static bool work(Worker *worker, Error *error)
 {
     const WireOrder *order = worker->order;
-    if (!steps_load(order->has_code ? order->code : NULL, error))
+    if (!steps_load(order->code[0] ? order->code : NULL, error))
         return false;
     worker_beat(0.0);
     worker->play = order->request.play_is_given ? order->request.play : step_choice_for_student();
