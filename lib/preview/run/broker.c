@@ -79,10 +79,7 @@ static void lose_helper(Broker *broker)
 // The helper always listens. Descriptors travel with the first byte.
 bool broker_send(Broker *broker, const WireOrder *order, const int *pipes)
 {
-    union {
-        struct cmsghdr head;
-        char bytes[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
-    } control = {.head = {0}};
+    WirePipes control = {.head = {0}};
     size_t pipes_size = (size_t)order->workers * sizeof(int);
     struct iovec rest = {(void *)order, sizeof *order};
     struct msghdr message = {.msg_iov = &rest, .msg_iovlen = 1};

@@ -6,9 +6,8 @@
 #include "base/parallel.h"
 #include "base/process.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <signal.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/select.h>
 #include <sys/wait.h>
@@ -92,10 +91,7 @@ static void start(Helper *helper, const WireOrder *order, const int *pipes)
 // A whole order with what came along. False: the window is gone.
 static bool receive(const Helper *helper, WireOrder *order, int *pipes)
 {
-    union { // aligned as a header must be
-        struct cmsghdr head;
-        char bytes[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
-    } control;
+    WirePipes control;
     struct iovec part = {order, sizeof *order};
     struct msghdr message = {
         .msg_iov = &part, .msg_iovlen = 1, .msg_control = &control, .msg_controllen = sizeof control};
@@ -135,10 +131,7 @@ static void reap(Helper *helper)
 // Signals that wait for pselect, so that none is missed between looking and sleeping.
 static void set_signals(sigset_t *while_waiting)
 {
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = on_child;
-    sigaction(SIGCHLD, &action, NULL);
+    signal(SIGCHLD, on_child);
     signal(SIGINT, SIG_IGN); // the window decides what Ctrl-C means
     signal(SIGPIPE, SIG_IGN);
     sigset_t child;
@@ -155,12 +148,8 @@ void helper_run(const Scene *scene, int socket)
 #if defined(__linux__)
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-    int nothing = open("/dev/null", O_RDONLY); // students' code that waits for a key would stop the whole
-    if (nothing >= 0) {
-        dup2(nothing, STDIN_FILENO);
-        close(nothing);
-    }
-    if (!pipe_open(helper.output.ends))
+    // Students' code that waits for a key would stop the whole.
+    if (!freopen("/dev/null", "r", stdin) || !pipe_open(helper.output.ends))
         _exit(1);
     parallel_limit(1);
     sigset_t while_waiting;

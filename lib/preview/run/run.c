@@ -96,34 +96,22 @@ static void watch_life(Run *run, Part *part, bool news)
     }
 }
 
-static void read_parts(Run *run)
+// True: all parts are done.
+static bool read_parts(Run *run)
 {
-    double until = clock_seconds() + A_MOMENT;
+    double until = clock_seconds() + A_MOMENT, fraction = 0.0;
+    bool all_done = true;
     for (int i = 0; i < run->part_count; i++) {
         Part *part = &run->parts[i];
         bool news = part_read(run, part, until);
         run->status.news = run->status.news || (news && run->request.kind != RUN_RENDER);
         if (part->pipe >= 0 && !part->done)
             watch_life(run, part, news);
-    }
-}
-
-static void look_for_end(Run *run)
-{
-    double fraction = 0.0;
-    bool all_done = true;
-    for (int i = 0; i < run->part_count; i++) {
-        const Part *part = &run->parts[i];
         fraction += part->done ? 1.0 : part->fraction;
         all_done = all_done && part->done;
     }
     run->status.fraction = fraction / (double)run->part_count;
-    if (!all_done)
-        return;
-    run->seconds = clock_seconds() - run->started;
-    run_describe_oddities(run);
-    run->status.state = RUN_DONE;
-    run->status.news = true;
+    return all_done;
 }
 
 RunStatus run_poll(Run *run)
@@ -136,10 +124,13 @@ RunStatus run_poll(Run *run)
         run_go_on_with_failure(run);
         return run->status;
     }
-    read_parts(run);
-    run_look_for_failure(run);
-    if (!run->failing)
-        look_for_end(run);
+    bool all_done = read_parts(run);
+    if (!run_look_for_failure(run, all_done) && all_done) {
+        run->seconds = clock_seconds() - run->started;
+        run_describe_oddities(run);
+        run->status.state = RUN_DONE;
+        run->status.news = true;
+    }
     return run->status;
 }
 

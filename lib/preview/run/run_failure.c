@@ -40,13 +40,10 @@ static const Part *failed_part(const Run *run)
     return NULL;
 }
 
-static bool has_failed(Run *run)
+static bool has_failed(Run *run, bool all_done)
 {
     const Part *part = failed_part(run);
     const char *words = "";
-    bool all_done = true;
-    for (int i = 0; i < run->part_count; i++)
-        all_done = all_done && run->parts[i].done;
     if (part) {
         run->end_status = part->status;
         run->stuck = run->stuck || (run->has_crash && run->crash.signal == SIGUSR1);
@@ -61,12 +58,13 @@ static bool has_failed(Run *run)
     return words[0] || run->stuck;
 }
 
-void run_look_for_failure(Run *run)
+bool run_look_for_failure(Run *run, bool all_done)
 {
-    if (!has_failed(run))
-        return;
+    if (!has_failed(run, all_done))
+        return false;
     run_end_workers(run);
     run->failing = true;
     if (run->words[0] || !look_up(run))
         finish_failure(run);
+    return true;
 }

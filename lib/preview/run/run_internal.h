@@ -75,8 +75,8 @@ bool buffer_add(Buffer *buffer, const void *bytes, size_t size);
 void run_describe_oddities(Run *run);
 
 void run_end_workers(Run *run);
-// Looks whether a part has failed, and then ends the others. The sentence may take a few more polls.
-void run_look_for_failure(Run *run);
+// Whether a part has failed: then ends the others. The sentence may take a few more polls.
+bool run_look_for_failure(Run *run, bool all_done);
 void run_go_on_with_failure(Run *run);
 // The sentence for the student, from what is known of the failure.
 void run_describe_failure(const Run *run, char *text, size_t size);

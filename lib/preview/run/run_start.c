@@ -5,7 +5,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,24 +21,6 @@ static int count_workers(const Broker *broker, const RunRequest *request)
     return worth < broker->workers ? (int)worth : broker->workers;
 }
 
-static bool open_pipes(Run *run, int *write_ends)
-{
-    for (int i = 0; i < run->part_count; i++) {
-        int ends[2];
-        if (!pipe_open(ends)) {
-            while (i-- > 0)
-                close(write_ends[i]);
-            return false;
-        }
-#ifdef F_SETPIPE_SZ
-        fcntl(ends[0], F_SETPIPE_SZ, 1 << 20);
-#endif
-        run->parts[i].pipe = ends[0];
-        write_ends[i] = ends[1];
-    }
-    return true;
-}
-
 static bool send_start(Run *run, const int *write_ends)
 {
     const char *code = run->request.code;
@@ -50,13 +31,20 @@ static bool send_start(Run *run, const int *write_ends)
 
 static bool begin(Run *run, Error *error)
 {
-    int write_ends[MOST_WORKERS];
-    if (!open_pipes(run, write_ends))
-        return error_set(error, "no pipe for a worker: %s", strerror(errno));
-    bool sent = send_start(run, write_ends);
-    for (int i = 0; i < run->part_count; i++)
+    int ends[2], write_ends[MOST_WORKERS], opened = 0;
+    for (; opened < run->part_count && pipe_open(ends); opened++) {
+#ifdef F_SETPIPE_SZ
+        fcntl(ends[0], F_SETPIPE_SZ, 1 << 20);
+#endif
+        run->parts[opened].pipe = ends[0];
+        write_ends[opened] = ends[1];
+    }
+    bool ok = opened == run->part_count ? send_start(run, write_ends) ||
+                                              error_set(error, "the preview's helper process is gone; start it again")
+                                        : error_set(error, "no pipe for a worker: %s", strerror(errno));
+    for (int i = 0; i < opened; i++)
         close(write_ends[i]); // the worker's end alone keeps the pipe open
-    return sent || error_set(error, "the preview's helper process is gone; start it again");
+    return ok;
 }
 
 Run *run_start(Broker *broker, const RunRequest *request, Error *error)

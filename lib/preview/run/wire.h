@@ -22,6 +22,12 @@ typedef struct {
     char code[4096]; // in place of request.code; "": none
 } WireOrder;
 
+// What the pipes travel in.
+typedef union { // aligned as a header must be
+    struct cmsghdr head;
+    char bytes[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
+} WirePipes;
+
 // ---- helper to window: a worker is gone ----
 
 typedef struct {

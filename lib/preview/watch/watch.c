@@ -1,6 +1,7 @@
 #define _GNU_SOURCE // st_mtim
 #include "preview/watch/watch_internal.h"
 #include "base/parallel.h"
+#include "math/rng.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -15,6 +16,12 @@
 #define LOOK_ALONE   0.1  // s between looks at the files' times, without inotify
 #define LOOK_BESIDE  1.0  // … and with it, for folders whose changes come from another machine
 
+#if defined(__APPLE__)
+#define CHANGED_AT(info) (info).st_mtimespec
+#else
+#define CHANGED_AT(info) (info).st_mtim
+#endif
+
 void watch_path(char path[4096], const char *folder, size_t i, const char *ending)
 {
     snprintf(path, 4096, "%s/%s%s", folder, step_table[i].file, ending);
@@ -24,6 +31,16 @@ void watch_path(char path[4096], const char *folder, size_t i, const char *endin
 static const char *name_of(size_t i)
 {
     return strrchr(step_table[i].file, '/') + 1;
+}
+
+uint64_t watch_fingerprint(uint64_t sum, const char *path)
+{
+    struct stat info;
+    if (stat(path, &info) != 0)
+        return sum;
+    sum = hash_u64(sum ^ (uint64_t)CHANGED_AT(info).tv_sec);
+    sum = hash_u64(sum ^ (uint64_t)CHANGED_AT(info).tv_nsec);
+    return hash_u64(sum ^ (uint64_t)info.st_size ^ (uint64_t)info.st_ino << 20);
 }
 
 // True: it is not as it was.

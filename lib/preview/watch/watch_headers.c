@@ -1,5 +1,4 @@
 // Headers of the student's own: when one is saved, the steps that include it are built anew.
-#define _GNU_SOURCE // st_mtim
 #include "preview/watch/watch_internal.h"
 #include "base/file.h"
 #include "math/rng.h"
@@ -7,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #define MOST_BYTES (1u << 20) // of what a compiler writes about one object
 
@@ -32,16 +30,6 @@ static bool is_own_header(const Watch *watch, const char *path)
     size_t folder = strlen(watch->source), length = strlen(path);
     return length > folder + 2 && strncmp(path, watch->source, folder) == 0 && path[folder] == '/' &&
            strcmp(path + length - 2, ".h") == 0;
-}
-
-uint64_t watch_fingerprint(uint64_t sum, const char *path)
-{
-    struct stat info;
-    if (stat(path, &info) != 0)
-        return sum;
-    sum = hash_u64(sum ^ (uint64_t)CHANGED_AT(info).tv_sec);
-    sum = hash_u64(sum ^ (uint64_t)CHANGED_AT(info).tv_nsec);
-    return hash_u64(sum ^ (uint64_t)info.st_size ^ (uint64_t)info.st_ino << 20);
 }
 
 uint64_t watch_headers(const Watch *watch, size_t i)
