@@ -78,7 +78,5 @@ void run_end_workers(Run *run);
 // Whether a part has failed: then ends the others. The sentence may take a few more polls.
 bool run_look_for_failure(Run *run, bool all_done);
 void run_go_on_with_failure(Run *run);
-// The sentence for the student, from what is known of the failure.
-void run_describe_failure(const Run *run, char *text, size_t size);
 
 #endif
