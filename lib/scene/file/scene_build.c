@@ -1,9 +1,6 @@
 #include "scene/file/scene_section.h"
 
 #include "base/array.h"
-#include "base/text.h"
-
-#include <string.h>
 
 bool scene_add_flat(SceneBuilder *builder, Flat flat)
 {
@@ -19,19 +16,6 @@ bool scene_add_flat(SceneBuilder *builder, Flat flat)
 bool scene_add_sphere(SceneBuilder *builder, Sphere sphere)
 {
     builder->scene->spheres[builder->scene->sphere_count++] = sphere;
-    return true;
-}
-
-bool scene_add_normals(SceneBuilder *builder, const Vec3 corners[3])
-{
-    Scene *scene = builder->scene;
-    for (int i = 0; i < 3; i++) {
-        Vec3 *normals = array_reserve(scene->normals, scene->normal_count, &builder->normal_capacity, sizeof *normals);
-        if (!normals)
-            return scene_out_of_memory(&builder->file);
-        scene->normals = normals;
-        normals[scene->normal_count++] = corners[i];
-    }
     return true;
 }
 

@@ -2,6 +2,7 @@
 #include "scene/file/scene_section.h"
 
 #include "scene/file/obj.h"
+#include "base/array.h"
 #include "base/text.h"
 
 #include <limits.h>
@@ -42,14 +43,21 @@ static bool place_mesh(SceneEntry *entry, ObjMesh *mesh)
 // itself there, and the face's own normal is the one that tells inside from outside.
 static bool add_corner_normals(SceneBuilder *builder, const ObjMesh *mesh, const ObjTriangle *triangle, Flat *flat)
 {
-    Vec3 face = vec3_cross(flat->edge_u, flat->edge_v), corners[3];
+    Scene *scene = builder->scene;
+    Vec3 face = vec3_cross(flat->edge_u, flat->edge_v);
+    Vec3 *corners = array_reserve(scene->normals, scene->normal_count + 2, &builder->normal_capacity, sizeof *corners);
+    if (!corners)
+        return scene_out_of_memory(&builder->file);
+    scene->normals = corners;
+    corners += scene->normal_count;
     for (int i = 0; i < 3; i++) {
         corners[i] = mesh->normals[triangle->normal[i]]; // turned already
         if (vec3_dot(corners[i], face) <= 0.0f)
             return true;
     }
-    flat->normals = (uint32_t)(builder->scene->normal_count + 1) & 0x7fffffffu;
-    return scene_add_normals(builder, corners);
+    flat->normals = (uint32_t)(scene->normal_count + 1) & 0x7fffffffu;
+    scene->normal_count += 3;
+    return true;
 }
 
 static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMesh *mesh, uint32_t unnamed)

@@ -18,10 +18,9 @@ typedef struct {
 
 #define NO_MATERIAL UINT32_MAX
 
-// The count of flats, spheres or normals grows. False when memory is short.
+// The count of flats or spheres grows. False when memory is short.
 bool scene_add_flat(SceneBuilder *builder, Flat flat);
 bool scene_add_sphere(SceneBuilder *builder, Sphere sphere);
-bool scene_add_normals(SceneBuilder *builder, const Vec3 corners[3]);
 
 // May these be sides of a flat? If not, says why at `key`.
 bool scene_check_edges(const SceneEntry *entry, const char *key, Vec3 edge_u, Vec3 edge_v);
