@@ -51,9 +51,6 @@ static const char help_end[] =
     "  --report FILE        what the key `o` opens\n"
     "  --orbit SECONDS      the window turns by itself for so long, and tells how many frames a second it made\n";
 
-#define PREVIEW_PHOTONS 200000
-#define PREVIEW_PATHS   1000
-
 typedef struct {
     const char *scene, *camera, *framing, *steps;
     Choice view, colour, context;
@@ -130,7 +127,7 @@ static int parse(int count, char **arguments, Arguments *a)
                      .context = {CONTEXTS, -1},
                      .size = {1280, 720},
                      .flight = -1};
-    a->options = (PreviewOptions){.photons = PREVIEW_PHOTONS, .recorded = PREVIEW_PATHS, .seed = 1};
+    a->options = (PreviewOptions){.photons = 200000, .recorded = 1000, .seed = 1};
     PreviewOptions *o = &a->options;
     Flag flags[MOST_FLAGS] = {
         {"snapshot", FLAG_TEXT, &o->snapshot, 0, 0},
@@ -237,8 +234,7 @@ int command_preview(int count, char **arguments)
     parallel_limit(0);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what happens is told when it happens, through a pipe, too
     bool ok = (broker || a.options.given[0]) && show(scene, &a, broker, &error);
-    if (broker)
-        broker_stop(broker);
+    broker_stop(broker);
     scene_free(scene);
     return ok ? 0 : report_error(&error);
 }

@@ -112,11 +112,6 @@ static void print_json(const RenderStats *s)
     printf("}\n");
 }
 
-static bool save(const Image *image, const Arguments *a, Error *error)
-{
-    return a->bits == 16 ? image_write_png(image, a->out, 16, error) : image_write(image, a->out, error);
-}
-
 int command_render(int count, char **arguments)
 {
     Arguments a;
@@ -142,7 +137,7 @@ int command_render(int count, char **arguments)
     RenderStats stats;
     bool ok = render_image(scene, &a.options, &image, &stats, &error);
     progress_bar_end(&bar);
-    bool saved = ok && save(&image, &a, &error);
+    bool saved = ok && (a.bits == 16 ? image_write_png(&image, a.out, 16, &error) : image_write(&image, a.out, &error));
     image_free(&image);
     scene_free(scene);
     if (!saved) {

@@ -70,7 +70,7 @@ static void toggle_flight_where_it_shows(App *app)
 
 static void choose_view(App *app)
 {
-    session_stop_render(&app->session);
+    session_stop(&app->session.runs[RUN_RENDER][YOURS]);
     app->view.kind = (ViewKind)(app->key - '1');
     if (app->flying && !view_type(&app->view)->in_flight)
         toggle_flight(app);
@@ -88,7 +88,7 @@ static void choose_within(App *app)
 static void toggle_render(App *app)
 {
     if (app->session.runs[RUN_RENDER][YOURS])
-        session_stop_render(&app->session);
+        session_stop(&app->session.runs[RUN_RENDER][YOURS]);
     else if (!view_type(&app->view)->of_step)
         session_render(&app->session);
 }

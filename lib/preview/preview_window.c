@@ -101,8 +101,8 @@ static void turn(App *app)
     double now = clock_seconds();
     app->dirty = app->dirty || news;
     if (news && app->session.answered && app->session.after_save) {
-        app->moving =
-            true; // the answer is wanted soon: a fair part of its photons first, all of them in the next frame
+        // The answer is wanted soon: a fair part of its photons first, all of them in the next frame.
+        app->moving = true;
         app->moved_at = now;
     }
     turn_by_itself(app, now);

@@ -33,8 +33,7 @@ void session_end(Session *session)
             session_stop(&session->runs[kind][i]);
     for (int i = 0; i < DATA_COUNT; i++)
         view_data_free(session->data[i]);
-    if (session->watch)
-        watch_stop(session->watch);
+    watch_stop(session->watch);
 }
 
 static void fault(Session *session, const char *text)

@@ -65,7 +65,6 @@ bool session_is_busy(const Session *session);
 void session_wait(Session *session, double seconds);
 
 void session_render(Session *session); // as large as the canvas
-void session_stop_render(Session *session);
 
 // The student's data as they are to be shown now.
 ViewData *session_yours(const Session *session);

@@ -105,8 +105,3 @@ void session_render(Session *session)
     request.height = canvas_height(session->canvas);
     start(session, YOURS, &request);
 }
-
-void session_stop_render(Session *session)
-{
-    session_stop(&session->runs[RUN_RENDER][YOURS]);
-}

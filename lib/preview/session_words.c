@@ -85,14 +85,11 @@ void session_draw(const Session *session, const View *view, const char *help)
     uint8_t *picture = image ? rgba_of_image(image) : NULL;
     list_status(session, status, sizeof status);
     list_faults(session, banner, sizeof banner);
-    Captions captions = {.help = help, .bare = bare};
-    captions.status = bare || session->options->given[YOURS] ? NULL : status;
-    captions.banner = bare ? NULL : banner;
-    if (picture) {
-        captions.picture = picture;
-        captions.picture_columns = image->width;
-        captions.picture_rows = image->height;
-    }
+    Captions captions = {.help = help, .bare = bare, .picture = picture};
+    captions.status = session->options->given[YOURS] ? NULL : status;
+    captions.banner = banner;
+    captions.picture_columns = image ? image->width : 0;
+    captions.picture_rows = image ? image->height : 0;
     view_draw(session->canvas, view, session_yours(session), session->data[REFERENCE], &captions);
     free(picture);
 }

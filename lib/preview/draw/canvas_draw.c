@@ -78,14 +78,10 @@ void canvas_rectangle(Canvas *canvas, float x, float y, float width, float heigh
 {
     static const int CORNERS[6] = {0, 1, 3, 0, 3, 2}; // bit 0: right, bit 1: bottom
     Vertex vertices[6];
-    for (int i = 0; i < 6; i++)
-        vertices[i] = (Vertex){x + (CORNERS[i] & 1 ? width : 0),
-                               y + (CORNERS[i] & 2 ? height : 0),
-                               0,
-                               colour.r,
-                               colour.g,
-                               colour.b,
-                               colour.a};
+    for (int i = 0; i < 6; i++) {
+        float right = CORNERS[i] & 1 ? width : 0, down = CORNERS[i] & 2 ? height : 0;
+        vertices[i] = (Vertex){x + right, y + down, 0, colour.r, colour.g, colour.b, colour.a};
+    }
     draw_flat(canvas, vertices, 6);
 }
 

@@ -21,14 +21,6 @@ static int count_workers(const Broker *broker, const RunRequest *request)
     return worth < broker->workers ? (int)worth : broker->workers;
 }
 
-static bool send_start(Run *run, const int *write_ends)
-{
-    const char *code = run->request.code;
-    WireOrder order = {.run = run->number, .workers = run->part_count, .request = run->request};
-    snprintf(order.code, sizeof order.code, "%s", code ? code : "");
-    return broker_send(run->broker, &order, write_ends);
-}
-
 static bool begin(Run *run, Error *error)
 {
     int ends[2], write_ends[MOST_WORKERS], opened = 0;
@@ -39,7 +31,9 @@ static bool begin(Run *run, Error *error)
         run->parts[opened].pipe = ends[0];
         write_ends[opened] = ends[1];
     }
-    bool ok = opened == run->part_count ? send_start(run, write_ends) ||
+    WireOrder order = {.run = run->number, .workers = run->part_count, .request = run->request};
+    snprintf(order.code, sizeof order.code, "%s", run->request.code ? run->request.code : "");
+    bool ok = opened == run->part_count ? broker_send(run->broker, &order, write_ends) ||
                                               error_set(error, "the preview's helper process is gone; start it again")
                                         : error_set(error, "no pipe for a worker: %s", strerror(errno));
     for (int i = 0; i < opened; i++)

@@ -49,20 +49,13 @@ static double coarse_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-// Ends the process when the window no longer listens.
-static void send_all(const void *bytes, size_t size)
-{
-    if (!write_all(window, bytes, size))
-        _exit(1);
-}
-
 void worker_send_both(WireKind kind, const void *first, size_t first_size, const void *rest, size_t rest_size)
 {
     WireHead head = {(uint32_t)kind, (uint32_t)(first_size + rest_size), progress, getpid()};
     sending = true;
-    send_all(&head, sizeof head);
-    send_all(first, first_size);
-    send_all(rest, rest_size);
+    if (!write_all(window, &head, sizeof head) || !write_all(window, first, first_size) ||
+        !write_all(window, rest, rest_size))
+        _exit(1); // the window no longer listens
     sending = false;
     last_sent = coarse_seconds();
 }

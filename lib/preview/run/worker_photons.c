@@ -10,7 +10,7 @@
 typedef struct {
     Worker *worker;
     long first, last, path;
-    float reach; // how far escaped photons are drawn, m
+    float reach; // how far escaped photons are drawn, m: half across the scene
     long path_photons, path_legs;
     int bounces;
     size_t photon_count, leg_count;
@@ -66,14 +66,6 @@ static void take_leg(void *user, const Photon *photon, const Hit *hit)
         flush(WIRE_LEGS, s->legs, sizeof s->legs[0], &s->leg_count);
 }
 
-// Half across the scene.
-static float escape_reach(const Scene *scene)
-{
-    Box box = bvh_bounds(scene->bvh);
-    float across = vec3_length(vec3_sub(box.high, box.low));
-    return across > 0.0f && across < 1e30f ? 0.5f * across : 1.0f;
-}
-
 static void send_books(Worker *worker, WireKind kind, const PhotonPass *pass, int bounces)
 {
     Recording books;
@@ -97,7 +89,9 @@ bool worker_photons(Worker *worker, Error *error)
     s.worker = worker;
     s.first = request->photons / parts * worker->index;
     s.last = worker->index + 1 < parts ? request->photons / parts * (worker->index + 1) : request->photons;
-    s.reach = escape_reach(worker->scene);
+    Box box = bvh_bounds(worker->scene->bvh);
+    float across = vec3_length(vec3_sub(box.high, box.low));
+    s.reach = across > 0.0f && across < 1e30f ? 0.5f * across : 1.0f;
     PhotonRecorder recorder = {&s, take_path, take_photon, take_leg};
     PhotonPassOptions options = {
         .photons = request->photons,

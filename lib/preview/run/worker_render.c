@@ -5,15 +5,8 @@
 
 static void beat(void *user, const char *phase, double fraction)
 {
-    (void)user;
-    (void)phase;
+    (void)user, (void)phase;
     worker_beat(fraction);
-}
-
-// The first pass is the picture that `photonlab render --samples 1 --seed S` gives; the others have seeds of their own.
-static uint64_t seed_of_pass(uint64_t seed, uint64_t pass)
-{
-    return pass == 0 ? seed : hash_u64(seed + pass);
 }
 
 static bool render_pass(Worker *worker, uint64_t pass, bool quick, Error *error)
@@ -24,7 +17,8 @@ static bool render_pass(Worker *worker, uint64_t pass, bool quick, Error *error)
     RenderOptions options = {
         .integrator = INTEGRATOR_PHOTONS,
         .settings = scene.settings,
-        .seed = seed_of_pass(request->seed, pass),
+        // The first pass is the picture that `photonlab render --samples 1 --seed S` gives.
+        .seed = pass == 0 ? request->seed : hash_u64(request->seed + pass),
         .threads = 1, // a worker a core does passes of its own
         .play = worker->play,
         .glass_sides = 2,

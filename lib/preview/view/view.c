@@ -45,7 +45,7 @@ void pane_frame(const Framing *framing, Orbit *orbit)
     orbit_pan(orbit, framing->right * framing->zoom, framing->up * framing->zoom);
 }
 
-void pane_look_beside(const Pane *pane, const Orbit *orbit, Box box, float right, float down)
+void pane_look(const Pane *pane, const Orbit *orbit, Box box, float right, float down)
 {
     float matrix[16];
     orbit_projection(orbit, box, (float)pane->width / (float)pane->height, matrix);
@@ -56,14 +56,9 @@ void pane_look_beside(const Pane *pane, const Orbit *orbit, Box box, float right
     canvas_view(pane->canvas, pane->left, pane->top, pane->width, pane->height, matrix);
 }
 
-void pane_look(const Pane *pane, const Orbit *orbit, Box box)
-{
-    pane_look_beside(pane, orbit, box, 0, 0);
-}
-
 void pane_look_at_scene(const Pane *pane)
 {
-    pane_look(pane, &pane->view->orbit, bvh_bounds(pane->scene->bvh));
+    pane_look(pane, &pane->view->orbit, bvh_bounds(pane->scene->bvh), 0, 0);
 }
 
 void pane_draw_cache(const Pane *pane, const Cache *cache, size_t first, size_t count, DrawStyle style)

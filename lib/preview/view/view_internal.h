@@ -54,9 +54,8 @@ struct Pane {
     float scale;                  // of the text, and of points
 };
 
-void pane_look(const Pane *pane, const Orbit *orbit, Box box);
-// The same, everything moved by so many pixels: lines drawn twice are twice as wide.
-void pane_look_beside(const Pane *pane, const Orbit *orbit, Box box, float right, float down);
+// Everything is moved by so many pixels: lines drawn twice are twice as wide.
+void pane_look(const Pane *pane, const Orbit *orbit, Box box, float right, float down);
 void pane_look_at_scene(const Pane *pane);
 // Nearer and to the side, as the view says, from where a view with no place in the scene is seen at first.
 void pane_frame(const Framing *framing, Orbit *orbit);

@@ -29,8 +29,7 @@ static Vec3 surface_point(const Lobe *lobe, const Frame *frame, int ring, int sp
 
 static void add_surface(const Lobe *lobe, Vertices *list)
 {
-    Vec3 axis = lobe->diffuse ? vec3(0, 0, 1) : lobe->mirror;
-    Frame frame = frame_about(axis);
+    Frame frame = frame_about(lobe->diffuse ? vec3(0, 0, 1) : lobe->mirror);
     Rgba colour = {90, 200, 255, 150};
     for (int ring = 0; ring < RINGS; ring++)
         for (int spoke = 0; spoke < SPOKES; spoke++) {
@@ -111,7 +110,7 @@ static void draw(const Pane *pane)
         build(data, &lobe, !cloud_known);
     }
     Orbit orbit = lobe_orbit(pane);
-    pane_look(pane, &orbit, (Box){{-2, -2, -2}, {2, 2, 2}});
+    pane_look(pane, &orbit, (Box){{-2, -2, -2}, {2, 2, 2}}, 0, 0);
     pane_draw_cache(pane, cloud, 0, cloud->buffer.count, (DrawStyle){.point_size = fmaxf(pane->scale - 0.5f, 1.0f)});
     pane_draw_cache(pane, lines, 0, lines->buffer.count, (DrawStyle){.kind = DRAW_LINES});
 }

@@ -122,10 +122,10 @@ static void draw_chosen(const Pane *pane, const PathLeg *legs, size_t count)
     Box box = bvh_bounds(pane->scene->bvh);
     DrawStyle line = {.kind = DRAW_LINES};
     for (int i = 0; i < 4 && lines.count; i++) { // twice as wide, whichever way it runs
-        pane_look_beside(pane, &view->orbit, box, i & 1 ? 0.5f : -0.5f, i & 2 ? 0.5f : -0.5f);
+        pane_look(pane, &view->orbit, box, i & 1 ? 0.5f : -0.5f, i & 2 ? 0.5f : -0.5f);
         canvas_draw(pane->canvas, lines.items, lines.count, &line);
     }
-    pane_look(pane, &view->orbit, box);
+    pane_look(pane, &view->orbit, box, 0, 0);
     if (dots.count)
         canvas_draw(pane->canvas, dots.items, dots.count, &(DrawStyle){.point_size = floorf(4.0f * pane->scale)});
     vertices_free(&lines);

@@ -143,7 +143,7 @@ static void draw(const Pane *pane)
     orbit_frame(&orbit, box, (float)pane->width / (float)pane->height);
     orbit.distance *= 1.25f; // the words stand around it
     pane_frame(&view->framing, &orbit);
-    pane_look(pane, &orbit, box);
+    pane_look(pane, &orbit, box, 0, 0);
     pane_draw_cache(pane, cache, 0, found->first_point, (DrawStyle){.kind = DRAW_LINES});
     float high = (box.high.y - box.low.y) / (2.0f * orbit.distance * tanf(10.0f * PI / 180.0f)) * (float)pane->height;
     float area = high * high * (box.high.x - box.low.x) / (box.high.y - box.low.y);

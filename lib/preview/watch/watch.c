@@ -119,7 +119,7 @@ void watch_stop(Watch *watch)
 {
     if (!watch)
         return;
-    build_stop(&watch->build);
+    process_kill(&watch->build.compiler);
     if (watch->inotify >= 0)
         close(watch->inotify);
     free(watch->command);
@@ -193,7 +193,7 @@ WatchEvent watch_poll(Watch *watch)
     watch_take_changes(watch);
     look_at_times(watch);
     if (watch->build.compiler.pid > 0 && watch->files[watch->building].dirty)
-        build_stop(&watch->build); // what it would make is out of date
+        process_kill(&watch->build.compiler); // what it would make is out of date
     if (watch->build.compiler.pid > 0)
         return build_poll(&watch->build, &ok) ? end_build(watch, ok) : WATCH_NOTHING;
     if (!watch->stray[0])

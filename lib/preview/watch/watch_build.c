@@ -30,18 +30,13 @@ bool build_start(Build *build, const char *command, const char *source, const ch
            error_set(error, "cannot start the compiler: %s", strerror(errno));
 }
 
-void build_stop(Build *build)
-{
-    process_kill(&build->compiler);
-}
-
 bool build_poll(Build *build, bool *ok)
 {
     int status = 0;
     // The first part is kept; the first error counts.
     process_read(&build->compiler, build->text, sizeof build->text, &build->size);
     if (clock_seconds() - build->started > LONGEST) {
-        build_stop(build);
+        process_kill(&build->compiler);
         build->size = (size_t)snprintf(build->text, sizeof build->text,
                                        "error: the compiler did not end within %.0f s\n", LONGEST);
         *ok = false;

@@ -14,8 +14,6 @@ typedef struct {
 
 // Runs `sh -c command sh source object` with LC_ALL=C, in a process group of its own. Makes the object's folder.
 bool build_start(Build *build, const char *command, const char *source, const char *object, Error *error);
-// Kills it and all that it started.
-void build_stop(Build *build);
 // Without waiting: has it ended? Then *ok tells how, and build->text what it printed.
 bool build_poll(Build *build, bool *ok);
 // The line of its text that tells most: the first with an error; with the path's folders cut off. Starts with the

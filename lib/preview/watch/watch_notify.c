@@ -9,10 +9,7 @@
 
 #if defined(__linux__)
 #include <sys/inotify.h>
-#define HAS_INOTIFY 1
-#endif
 
-#ifdef HAS_INOTIFY
 #define CHANGES (IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE)
 
 // Folders that are watched already give the same number again.
