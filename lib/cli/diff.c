@@ -88,9 +88,7 @@ int command_diff(int count, char **arguments)
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
-    Image image = {0, 0, NULL};
-    Image reference = {0, 0, NULL};
-    Image picture = {0, 0, NULL};
+    Image image = {0, 0, NULL}, reference = {0, 0, NULL}, picture = {0, 0, NULL};
     bool ok = compare(&a, &image, &reference, &picture, &error);
     image_free(&image);
     image_free(&reference);

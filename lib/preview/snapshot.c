@@ -75,25 +75,17 @@ void snapshot_command(const Session *session, char *text, size_t size)
     }
 }
 
-static bool read_given(Session *session, const Scene *scene, Error *error)
-{
-    for (int i = 0; i < PLAYERS; i++) {
-        Recording recording;
-        if (!session->options->given[i])
-            continue;
-        if (!recording_read(session->options->given[i], scene, &recording, error))
-            return false;
-        view_data_record(session->data[i], recording);
-    }
-    return true;
-}
-
 // Draws what is there, when everything that the view needs is.
 static bool draw_and_write(Session *session, const Scene *scene, Error *error)
 {
     const PreviewOptions *options = session->options;
-    if (!read_given(session, scene, error))
-        return false;
+    for (int i = 0; i < PLAYERS; i++) {
+        Recording recording;
+        if (options->given[i] && !recording_read(options->given[i], scene, &recording, error))
+            return false;
+        if (options->given[i])
+            view_data_record(session->data[i], recording);
+    }
     while (!options->given[YOURS] && (session_poll(session) || session_is_busy(session)))
         session_wait(session, 0.05);
     if (session->fault[0] && !options->every_save)

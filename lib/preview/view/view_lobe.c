@@ -83,18 +83,6 @@ static Orbit lobe_orbit(const Pane *pane)
     return orbit;
 }
 
-static void build(ViewData *data, const Lobe *lobe, bool new_cloud)
-{
-    Vertices lines = {.items = NULL}, points = {.items = NULL};
-    add_axes(lobe, &lines);
-    add_surface(lobe, &lines);
-    cache_fill(data->canvas, &data->caches[VIEW_LOBE][LINES], &lines);
-    if (new_cloud) {
-        lobe_cloud(lobe, &data->lobe, data->found[VIEW_LOBE], &points);
-        cache_fill(data->canvas, &data->caches[VIEW_LOBE][CLOUD], &points);
-    }
-}
-
 static void draw(const Pane *pane)
 {
     ViewData *data = pane->data;
@@ -107,7 +95,14 @@ static void draw(const Pane *pane)
     bool cloud_known = cache_is(cloud, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy, data->lobes});
     if (!lines_known || !cloud_known) {
         Lobe lobe = lobe_of(exponent, angle, diffuse, play);
-        build(data, &lobe, !cloud_known);
+        Vertices list = {.items = NULL};
+        add_axes(&lobe, &list);
+        add_surface(&lobe, &list);
+        cache_fill(data->canvas, lines, &list);
+        if (!cloud_known) {
+            lobe_cloud(&lobe, &data->lobe, data->found[VIEW_LOBE], &list);
+            cache_fill(data->canvas, cloud, &list);
+        }
     }
     Orbit orbit = lobe_orbit(pane);
     pane_look(pane, &orbit, (Box){{-2, -2, -2}, {2, 2, 2}}, 0, 0);

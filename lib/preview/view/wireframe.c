@@ -126,15 +126,6 @@ static void add_sphere(Vertices *list, Vec3 centre, float radius, Rgba colour)
         vertices_circle(list, vec3_along(centre, y, (float)i * d * radius), x, z, d * radius, rgba_fade(colour, 0.5f));
 }
 
-static void add_point(const Light *light, float reach, Vertices *list)
-{
-    for (int axis = 0; axis < 3; axis++) {
-        Vec3 d = vec3(axis == 0, axis == 1, axis == 2);
-        vertices_line(list, vec3_along(light->position, d, -reach), vec3_along(light->position, d, reach),
-                      COLOUR_OF_LIGHTS);
-    }
-}
-
 static void add_spot_or_beam(const Light *light, float reach, Vertices *list)
 {
     Frame frame = frame_about(light->direction);
@@ -159,7 +150,10 @@ static void add_light(const Light *light, float reach, Vertices *list)
     case LIGHT_SPHERE:
         return; // drawn as surfaces
     case LIGHT_POINT:
-        add_point(light, reach, list);
+        for (int axis = 0; axis < 3; axis++) {
+            Vec3 way = vec3(reach * (axis == 0), reach * (axis == 1), reach * (axis == 2));
+            vertices_line(list, vec3_sub(light->position, way), vec3_add(light->position, way), COLOUR_OF_LIGHTS);
+        }
         return;
     case LIGHT_SPOT:
     case LIGHT_BEAM:
