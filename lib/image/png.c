@@ -58,14 +58,6 @@ static void on_write(png_structp png, png_bytep bytes, size_t count)
     fwrite(bytes, 1, count, png_get_io_ptr(png));
 }
 
-// Whatever the file holds, libpng hands out rows of red, green and blue with 8 or 16 bits each.
-static void ask_for_rgb(Codec *codec)
-{
-    png_set_expand(codec->png); // palettes to colours, grey of 1, 2, 4 bits to 8
-    png_set_gray_to_rgb(codec->png);
-    png_set_strip_alpha(codec->png);
-}
-
 // One row from encoded bytes, which stand where its pixels belong, to linear floats. From the right to the
 // left: a pixel's 12 bytes cover only encoded bytes that are used up.
 static void decode_row(Colour *pixels, int width, int bits)
@@ -82,13 +74,6 @@ static void decode_row(Colour *pixels, int width, int bits)
     }
 }
 
-static void check_promise(Codec *codec)
-{
-    unsigned long long row = png_get_rowbytes(codec->png, codec->info);
-    if (row * png_get_image_height(codec->png, codec->info) > codec->size * MAX_COMPRESSION)
-        png_error(codec->png, "truncated: the file is too short for its number of pixels");
-}
-
 static bool read_all(Codec *codec)
 {
     if (setjmp(png_jmpbuf(codec->png)))
@@ -98,8 +83,12 @@ static bool read_all(Codec *codec)
     long height = png_get_image_height(codec->png, codec->info);
     if (!image_check_size(width, height, codec->name, codec->error))
         return false;
-    check_promise(codec);
-    ask_for_rgb(codec);
+    if (1ull * png_get_rowbytes(codec->png, codec->info) * (unsigned long)height > codec->size * MAX_COMPRESSION)
+        png_error(codec->png, "truncated: the file is too short for its number of pixels");
+    // Whatever the file holds, libpng hands out rows of red, green and blue with 8 or 16 bits each.
+    png_set_expand(codec->png); // palettes to colours, grey of 1, 2, 4 bits to 8
+    png_set_gray_to_rgb(codec->png);
+    png_set_strip_alpha(codec->png);
     int passes = png_set_interlace_handling(codec->png);
     png_read_update_info(codec->png, codec->info);
     int bits = png_get_bit_depth(codec->png, codec->info);

@@ -26,12 +26,6 @@ enum {
 
 static const float FARTHEST = 1e18f; // m; its square is still far from overflowing
 
-// What the recursion works on. `values` has a place for each photon: each range uses its own.
-typedef struct {
-    PhotonMap *map;
-    float *values;
-} Builder;
-
 static Box bounds(const StoredPhoton *photons, size_t count)
 {
     Box box = box_empty();
@@ -53,9 +47,9 @@ static void store_box(PhotonMap *map, int level, size_t index, Box box)
     }
 }
 
-static void build_range(const Builder *builder, int level, size_t index)
+// `values` has a place for each photon: each range uses its own.
+static void build_range(PhotonMap *map, float *values, int level, size_t index)
 {
-    PhotonMap *map = builder->map;
     int halvings = map->depth - level;
     size_t begin = leaf_begin(map, index << halvings);
     size_t end = leaf_begin(map, (index + 1) << halvings);
@@ -65,14 +59,14 @@ static void build_range(const Builder *builder, int level, size_t index)
     if (halvings == 0)
         return;
     size_t middle = leaf_begin(map, (2 * index + 1) << (halvings - 1));
-    photon_map_halve(map->photons + begin, end - begin, box, middle - begin, builder->values + begin);
+    photon_map_halve(map->photons + begin, end - begin, box, middle - begin, values + begin);
     if (end - begin > TASK_PHOTONS) {
         OMP(omp task)
-        build_range(builder, level + 1, 2 * index);
+        build_range(map, values, level + 1, 2 * index);
     } else { // not `if` in the task's own line: it would cost something for each of a million ranges
-        build_range(builder, level + 1, 2 * index);
+        build_range(map, values, level + 1, 2 * index);
     }
-    build_range(builder, level + 1, 2 * index + 1);
+    build_range(map, values, level + 1, 2 * index + 1);
 }
 
 static bool check_positions(const StoredPhoton *photons, size_t count, Error *error)
@@ -112,10 +106,9 @@ static bool build_tree(PhotonMap *map, Error *error)
         map->nodes[i / 12].low[i / 4 % 3][i % 4] = INFINITY;
         map->nodes[i / 12].high[i / 4 % 3][i % 4] = -INFINITY;
     }
-    Builder builder = {map, values};
     OMP(omp parallel if (map->count > TASK_PHOTONS))
     OMP(omp single)
-    build_range(&builder, 0, 0);
+    build_range(map, values, 0, 0);
     free(values);
     return true;
 }
