@@ -28,25 +28,20 @@ void vertex_buffer_free(Canvas *canvas, VertexBuffer *buffer)
     *buffer = (VertexBuffer){0, 0, 0};
 }
 
-static void set_style(Canvas *canvas, const DrawStyle *style)
-{
-    const Gl *gl = &canvas->gl;
-    // The picture itself stays opaque: alpha is kept at 1.
-    gl->BlendFuncSeparate(GL_SRC_ALPHA, style->additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    gl->Uniform1f(canvas->exposure, style->exposure != 0 ? style->exposure : 1.0f);
-    if (style->kind == DRAW_POINTS)
-        gl->PointSize(style->point_size != 0 ? style->point_size : 1.0f);
-}
-
 void vertex_buffer_draw(Canvas *canvas, const VertexBuffer *buffer, size_t first, size_t count, const DrawStyle *style)
 {
     if (first >= buffer->count || count == 0)
         return;
     if (count > buffer->count - first)
         count = buffer->count - first;
-    set_style(canvas, style);
-    canvas->gl.BindVertexArray(buffer->array);
-    canvas->gl.DrawArrays(style->kind, (int)first, (int)count);
+    const Gl *gl = &canvas->gl;
+    // The picture itself stays opaque: alpha is kept at 1.
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, style->additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    gl->Uniform1f(canvas->exposure, style->exposure != 0 ? style->exposure : 1.0f);
+    if (style->kind == DRAW_POINTS)
+        gl->PointSize(style->point_size != 0 ? style->point_size : 1.0f);
+    gl->BindVertexArray(buffer->array);
+    gl->DrawArrays(style->kind, (int)first, (int)count);
 }
 
 void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const DrawStyle *style)
