@@ -50,6 +50,7 @@
 #include "photons/pass/photon_pass.h" // PhotonPass, photon_pass_run, Ledger
 #include "photons/pass/trace.h"       // photon_fly, photon_store
 
+#include "render/gather/gather_trace.h" // gather_send, gather_meet, gather_irradiance
 #include "render/render.h" // RenderOptions, render_image
 
 #include "image/difference.h" // image_difference

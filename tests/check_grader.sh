@@ -134,10 +134,10 @@ false_verdicts() {
 $(clopper_pearson "$confirmed" "$trials" 0.95) % at 95 % confidence"
 }
 
-# The most failures in $1 trials at a level of (15·0.1 + 14·0.2 + 0.4)/15 % that are still believable (upper tail 1e-4).
+# The most failures in $1 trials at a level of (20·0.1 + 19·0.2 + 0.4)/20 % that are still believable (upper tail 1e-4).
 most_at_level() {
     awk -v n="$1" 'BEGIN {
-        mean = n * (15 * 0.001 + 14 * 0.002 + 0.004) / 15
+        mean = n * (20 * 0.001 + 19 * 0.002 + 0.004) / 20
         term = sum = exp(-mean)
         for (k = 0; sum < 1 - 1e-4; ) { k++; term *= mean / k; sum += term }
         print k

@@ -42,6 +42,12 @@ gives 3.2 "call 1 1 1 0.666667" "0.039999906"
 gives 3.3 "call 1 1 1.25 1.5 1.75 0" "1.5"
 gives 3.1 "call 1 1 0.8 0 -0.6 0 0 1 1.5" "0 -77 -77 -77" # total reflection leaves its result alone
 gives 1.6 "call 1 1 5 0 0 0 0 0 0 1 0 0 1 0 0.5 0.5 0.5 0 0 0 1 0" "0 0 0"
+gives 4.2 "call 2 1 tests/steps/scenes/gather.yaml 3 3 3 0.25 1 0 0 -1 0" "0.572957814 0.381971866 0.190985933 0.572957814 0.381971866 0.190985933"
+gives 4.4 "call 1 1 $(printf '2 %.0s' {1..216})$(printf 'inf %.0s' {1..216})0.1 9" "4"
+gives 4.5 "call 1 1 1 0 0 0 0 1 0 3 4 5 2 $(printf '0 %.0s' {1..18})0 0 0.125 0 1 0 0.25" "1 3 4 5"
+gives 4.5 "call 1 1 0 0 0 0.125 0 1 0 0.25" "0 -77 -77 -77"
+refuses 4.2 "call 1 1 no.yaml 3 3 3 0 1 0 0 -1 0" "no.yaml"
+refuses 4.3 "call 1 1 tests/steps/scenes/gather.yaml 3 3 3 0.25 1 0 0 1 0" "meets nothing"
 refuses 1.1 "call 1 1 0 0 -1 0 0" "the arguments do not fit step 1.1"
 refuses 1.1 "call 1 1 0 0 -1 0 0 1 7" "the arguments do not fit step 1.1"
 refuses 1.1 "call 0 1 0 0 -1 0 0 1" "the arguments do not fit step 1.1"
@@ -69,7 +75,7 @@ elif grep -q "a step was called that is not there" "$work/err"; then
 else
     bad "absent step: $(cat "$work/err")"
 fi
-for case in "paths scenes/box_glass.yaml 100 2 9 3.4 1" "picture scenes/box_glass.yaml 8 8 500 20 9 2.3,1.5 1"; do
+for case in "paths scenes/box_glass.yaml 100 2 9 3.4 1" "picture photons-only scenes/box_glass.yaml 8 8 500 20 9 2.3,1.5 1"; do
     numbers=$(probe 1.1 "$solutions" "$case" | wc -w)
     check "$numbers > 100" "probe 1.1 $case"
 done

@@ -15,6 +15,15 @@ int parallel_threads(int wanted)
 #endif
 }
 
+int parallel_index(void)
+{
+#ifdef _OPENMP
+    return omp_get_thread_num();
+#else
+    return 0;
+#endif
+}
+
 double clock_seconds(void)
 {
     struct timespec now;

@@ -12,6 +12,9 @@
 // All cores when `wanted` is 0, otherwise what is wanted.
 int parallel_threads(int wanted);
 
+// The number of the calling thread, from 0.
+int parallel_index(void);
+
 // From now on everything that names no number of its own runs on this many threads (0: all cores).
 void parallel_limit(int threads);
 

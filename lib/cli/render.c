@@ -148,6 +148,8 @@ int command_render(int count, char **arguments)
     }
     if (!a.quiet) {
         report_oddities(&stats.ledger, stats.photons_emitted, &stats.unsound);
+        if (stats.estimates)
+            fprintf(stderr, "%zu estimates of irradiance in %.1f s\n", stats.estimates, stats.gather_seconds);
         fprintf(stderr, "%s: %d×%d, %ld photons emitted, %zu stored; %.1f s photons, %.1f s map, %.1f s eye\n", a.out,
                 a.options.settings.width, a.options.settings.height, stats.photons_emitted, stats.photons_stored,
                 stats.photon_seconds, stats.build_seconds, stats.eye_seconds);

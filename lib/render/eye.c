@@ -1,6 +1,8 @@
 #include "render/eye.h"
 #include "scene/material_kind.h"
 
+#include "render/final_gather.h"
+
 #define SPLIT_WEIGHT  0.25f // glass: both ways are followed while the ray still carries this much …
 #define ALIVE_WEIGHT  0.05f // … and below this a ray survives by roulette
 #define CAUSTIC_SHARE 4     // caustics are estimated from k/4 photons …
@@ -11,6 +13,7 @@ typedef struct {
     PhotonColour colour; // WHITE, or the one that is left after dispersing glass
     int bounce;          // surfaces met so far
     bool sees_lights;    // false where shadow rays have counted them
+    float distance;      // m, so far
 } EyeRay;
 
 static Colour trace(Eye *eye, const Ray *ray, EyeRay carried);
@@ -37,7 +40,7 @@ static Colour matt_from_map(Eye *eye, const PhotonMap *map, RadianceCache *cache
 }
 
 // Caustics are sharp and their photons dense: fewer of them make an estimate.
-static Colour from_caustics(Eye *eye, const Hit *hit, Vec3 wo)
+Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo)
 {
     if (photon_map_count(eye->caustic) == 0)
         return colour_grey(0.0f);
@@ -97,8 +100,14 @@ static Colour rough_surface(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
     if (eye->options->integrator == INTEGRATOR_PHOTONS_ONLY)
         return steps.estimate_radiance(eye->rest, hit, wo, &eye->gather);
     Colour sum = direct_light(eye, hit, wo);
-    sum = colour_add(sum, from_caustics(eye, hit, wo));
-    if (!material_kind(material)->lobe)
+    sum = colour_add(sum, caustic_light(eye, hit, wo));
+    bool has_lobe = material_kind(material)->lobe;
+    if (eye->options->integrator == INTEGRATOR_GATHER) {
+        Colour irradiance = final_gather_irradiance(eye, hit, wo, carried.distance);
+        sum = colour_add(sum, colour_scale(colour_mul(material->diffuse, irradiance), 1.0f / PI));
+        return has_lobe ? colour_add(sum, indirect_lobe(eye, hit, wo, carried)) : sum;
+    }
+    if (!has_lobe)
         return colour_add(sum, matt_from_map(eye, eye->rest, &eye->rest_cache, hit, material, wo));
     Material matt = *material;
     matt.type = MATERIAL_DIFFUSE;
@@ -175,6 +184,7 @@ static Colour trace(Eye *eye, const Ray *ray, EyeRay carried)
     eye->rays++;
     if (carried.bounce > eye->options->settings.depth || !scene_intersect(eye->scene, ray, &hit))
         return colour_grey(0.0f);
+    carried.distance += hit.distance;
     const MaterialKind *kind = material_kind(hit.material);
     switch (kind->optics) {
     case OPTICS_LIGHT:
@@ -191,5 +201,5 @@ static Colour trace(Eye *eye, const Ray *ray, EyeRay carried)
 
 Colour eye_radiance(Eye *eye, const Ray *ray)
 {
-    return trace(eye, ray, (EyeRay){colour_grey(1.0f), WHITE, 0, true});
+    return trace(eye, ray, (EyeRay){colour_grey(1.0f), WHITE, 0, true, 0.0f});
 }

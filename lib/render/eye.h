@@ -3,11 +3,21 @@
 #define PHOTONLAB_RENDER_EYE_H
 
 #include "photons/gather.h"
+#include "render/gather/irradiance_cache.h"
 #include "render/radiance_cache.h"
 #include "render/render.h"
 #include "render/sampler.h"
 
+// Irradiance where a ray of this pixel ended (GATHER).
+typedef struct {
+    Vec3 position, normal;
+    Colour irradiance;
+} Remembered;
+#define EYE_MEMORY 4
+
 // One thread's eye.
+typedef struct FinalGather FinalGather;
+
 typedef struct {
     const Scene *scene;
     const RenderOptions *options;
@@ -15,6 +25,10 @@ typedef struct {
     const PhotonMap *rest;    // PHOTONS: indirect; PHOTONS_ONLY: all
     Gather gather;
     RadianceCache caustic_cache, rest_cache; // estimates made in this tile
+    FinalGather *final;         // GATHER only
+    IrradianceCache *own_cache; // GATHER: estimates made in this tile
+    Remembered memory[EYE_MEMORY];
+    unsigned remembered;
     Rng rng;
     Sampler sampler;
     uint64_t rays;
@@ -29,6 +43,9 @@ Colour path_radiance(Eye *eye, Ray ray);
 // Radiance towards wo that the surface at `hit` reflects of light straight from the sources, by one shadow ray to
 // each.
 Colour direct_light(Eye *eye, const Hit *hit, Vec3 wo);
+
+// Light of the caustic map.
+Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo);
 
 // Draws wi for a rough surface from (choice, u, v) in [0,1)³: a lobe about wo's mirror direction with probability
 // lobe_share, otherwise the cosine hemisphere; *pdf is the density of the mixture. False when the draw fell below the

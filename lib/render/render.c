@@ -1,14 +1,13 @@
 #include "render/render.h"
 #include "base/parallel.h"
 #include "render/eye.h"
+#include "render/final_gather.h"
+#include "render/maps.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #define TILE 16 // pixels a side; a thread's share of work, and how far estimates are shared
-
-typedef struct {
-    PhotonMap *caustic, *rest;
-} Maps;
 
 static void render_pixel(Eye *eye, Image *image, int column, int row)
 {
@@ -16,6 +15,8 @@ static void render_pixel(Eye *eye, Image *image, int column, int row)
     uint64_t pixel = (uint64_t)row * (uint64_t)settings->width + (uint64_t)column;
     float aspect = (float)settings->width / (float)settings->height;
     Colour sum = colour_grey(0.0f);
+    memset(eye->memory, 0, sizeof eye->memory);
+    eye->remembered = 0;
     eye->sampler.pixel = hash_u64(eye->options->seed ^ hash_u64(pixel));
     for (int s = 0; s < settings->samples; s++) {
         eye->sampler.index = (uint32_t)s;
@@ -39,12 +40,23 @@ static void render_tile(Eye *eye, Image *image, int tile)
     int top = tile / tiles_across * TILE;
     radiance_cache_clear(&eye->caustic_cache);
     radiance_cache_clear(&eye->rest_cache);
+    if (eye->own_cache)
+        irradiance_cache_clear(eye->own_cache);
     for (int row = top; row < top + TILE && row < image->height; row++)
         for (int column = left; column < left + TILE && column < image->width; column++)
             render_pixel(eye, image, column, row);
 }
 
-static Eye *eye_create(const Scene *scene, const RenderOptions *options, const Maps *maps)
+static void eye_free(Eye *eye)
+{
+    if (!eye)
+        return;
+    free(eye->gather.near);
+    irradiance_cache_free(eye->own_cache);
+    free(eye);
+}
+
+static Eye *eye_create(const Scene *scene, const RenderOptions *options, const Maps *maps, FinalGather *final)
 {
     Eye *eye = calloc(1, sizeof *eye);
     if (!eye)
@@ -57,100 +69,79 @@ static Eye *eye_create(const Scene *scene, const RenderOptions *options, const M
     eye->caustic = maps->caustic;
     eye->rest = maps->rest;
     eye->gather = (Gather){.k = k, .radius = radius, .glossy = options->play.glossy, .near = near};
-    if (near)
+    eye->final = final;
+    eye->own_cache = final ? irradiance_cache_create(GATHER_ACCURACY, final->size) : NULL;
+    if (near && (!final || eye->own_cache))
         return eye;
-    free(eye);
+    eye_free(eye);
     return NULL;
 }
 
-static void eye_free(Eye *eye)
-{
-    if (eye)
-        free(eye->gather.near);
-    free(eye);
-}
-
-static bool eye_pass(const Scene *scene, const RenderOptions *options, const Maps *maps, Image *image,
-                     RenderStats *stats)
+static void eye_pass(Eye *const eyes[], int threads, Image *image)
 {
     int tiles = ((image->width + TILE - 1) / TILE) * ((image->height + TILE - 1) / TILE);
     int done = 0;
-    bool ok = true;
-    uint64_t rays = 0;
-#pragma omp parallel num_threads(parallel_threads(options->threads)) reduction(+ : rays) reduction(&& : ok)
-    {
-        Eye *eye = eye_create(scene, options, maps);
-        ok = eye != NULL;
-#pragma omp for schedule(dynamic)
-        for (int tile = 0; tile < tiles; tile++) {
-            if (eye)
-                render_tile(eye, image, tile);
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+    for (int tile = 0; tile < tiles; tile++) {
+        render_tile(eyes[parallel_index()], image, tile);
 #pragma omp critical(render_progress)
-            progress_report(&options->progress, "eye rays", (double)++done / (double)tiles);
-        }
-        rays += eye ? eye->rays : 0;
-        eye_free(eye);
+        progress_report(&eyes[0]->options->progress, "eye rays", (double)++done / (double)tiles);
     }
-    stats->eye_rays = rays;
-    return ok;
 }
 
-static PhotonMap *build_map(PhotonArray *photons, Error *error)
+// One eye a thread for all that follows.
+static bool look(const Scene *scene, const RenderOptions *options, const Maps *maps, Image *image, RenderStats *stats)
 {
-    PhotonMap *map = photon_map_build(photons->photons, photons->count, error);
-    *photons = (PhotonArray){NULL, 0}; // the map has taken them over
-    return map;
-}
-
-static bool make_maps(const Scene *scene, const RenderOptions *options, Maps *maps, RenderStats *stats, Error *error)
-{
-    bool all = options->integrator == INTEGRATOR_PHOTONS_ONLY;
-    PhotonPassOptions pass_options = {
-        .photons = options->settings.photons,
-        .depth = options->settings.depth,
-        .seed = options->seed,
-        .threads = options->threads,
-        .keep = all ? KEEP_ALL : KEEP_CAUSTIC | KEEP_INDIRECT,
-        .play = options->play,
-        .progress = options->progress,
-    };
-    PhotonPass pass;
-    steps_play(options->play);
-    if (!photon_pass_run(scene, &pass_options, &pass, error))
-        return false;
-    stats->photons_emitted = pass.emitted;
-    stats->photons_stored = pass.stored;
-    stats->photon_rays = pass.segments;
-    stats->unsound = pass.unsound;
-    stats->photon_seconds = pass.seconds;
-    stats->ledger = pass.ledger;
+    int threads = parallel_threads(options->threads);
+    bool gathers = options->integrator == INTEGRATOR_GATHER;
+    float size = vec3_length(vec3_sub(bvh_bounds(scene->bvh).high, bvh_bounds(scene->bvh).low));
+    FinalGather final = {maps->ends, NULL, size, 2.0f * scene->camera.tan_half_fov / (float)image->height};
+    final.cache = gathers ? irradiance_cache_create(GATHER_ACCURACY, size) : NULL;
+    Eye **eyes = calloc((size_t)threads, sizeof(Eye *));
+    bool ok = eyes && (final.cache || !gathers);
+    for (int i = 0; ok && i < threads; i++)
+        ok = (eyes[i] = eye_create(scene, options, maps, gathers ? &final : NULL)) != NULL;
     double start = clock_seconds();
-    maps->caustic = build_map(&pass.caustic, error);
-    maps->rest = maps->caustic ? build_map(&pass.rest, error) : NULL;
-    stats->build_seconds = clock_seconds() - start;
-    photon_pass_free(&pass);
-    if (!maps->rest)
-        return false;
-    stats->map_bytes = photon_map_bytes(maps->caustic) + photon_map_bytes(maps->rest);
-    return true;
+    ok = ok && (!gathers || final_gather_fill(eyes, threads, image->width, image->height));
+    stats->gather_seconds = clock_seconds() - start;
+    if (ok)
+        eye_pass(eyes, threads, image);
+    stats->estimates = gathers && final.cache ? irradiance_cache_count(final.cache) : 0;
+    for (int i = 0; eyes && i < threads; i++) {
+        stats->eye_rays += eyes[i] ? eyes[i]->rays : 0;
+        eye_free(eyes[i]);
+    }
+    free(eyes);
+    irradiance_cache_free(final.cache);
+    return ok;
 }
 
 bool render_image(const Scene *scene, const RenderOptions *options, Image *image, RenderStats *stats, Error *error)
 {
-    Maps maps = {NULL, NULL};
+    Maps maps = {NULL, NULL, NULL};
     *stats = (RenderStats){0};
     if (!image_create(image, options->settings.width, options->settings.height, error))
         return false;
-    bool ok = options->integrator == INTEGRATOR_PATH || make_maps(scene, options, &maps, stats, error);
+    bool ok = options->integrator == INTEGRATOR_PATH || maps_make(scene, options, &maps, stats, error);
     if (ok) {
         double start = clock_seconds();
-        ok = eye_pass(scene, options, &maps, image, stats) ||
+        ok = look(scene, options, &maps, image, stats) ||
              error_set(error, "not enough memory for %d photons in an estimate; use a smaller k", options->settings.k);
         stats->eye_seconds = clock_seconds() - start;
     }
-    photon_map_free(maps.caustic);
-    photon_map_free(maps.rest);
+    maps_free(&maps);
     if (!ok)
         image_free(image);
     return ok;
+}
+
+bool integrator_parse(const char *name, Integrator *integrator)
+{
+    static const char *const names[] = {"photons", "photons-only", "gather", "path"};
+    for (int i = 0; i < 4; i++)
+        if (strcmp(name, names[i]) == 0) {
+            *integrator = (Integrator)i;
+            return true;
+        }
+    return false;
 }

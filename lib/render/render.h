@@ -9,8 +9,12 @@
 typedef enum {
     INTEGRATOR_PHOTONS, // direct light by shadow rays; caustics (from k/4 photons) and indirect light from two maps
     INTEGRATOR_PHOTONS_ONLY, // everything from one map, looked up at the first rough surface, as the source text does
+    INTEGRATOR_GATHER, // direct light and caustics as in PHOTONS; indirect light by gather rays, whose estimates are shared
     INTEGRATOR_PATH          // no photons: a plain path tracer, to check against
 } Integrator;
+
+// As --integrator takes it: photons, photons-only, gather, path.
+bool integrator_parse(const char *name, Integrator *integrator);
 
 typedef struct {
     Integrator integrator;
@@ -31,7 +35,9 @@ typedef struct {
     uint64_t photon_rays; // traced by photons
     UnsoundPaths unsound;
     uint64_t eye_rays;    // camera, shadow and bounce rays
-    double photon_seconds, build_seconds, eye_seconds;
+    double photon_seconds, build_seconds, eye_seconds; // eye_seconds: all that follows the maps,
+    double gather_seconds;                             // of which this went into estimates (GATHER)
+    size_t estimates;                                  // of irradiance (GATHER)
     size_t map_bytes;
     Ledger ledger;
 } RenderStats;

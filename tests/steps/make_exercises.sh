@@ -61,9 +61,10 @@ calls_todo_once() {
     [ "$(grep -c "^    todo(\"$2\").*; // take this line away" "$1")" = 1 ] || { echo "$1 has no line todo(\"$2\")" && false; }
 }
 
-# No line of code of the solution, apart from those at the margin and words like `return true;`.
+# No line of code of what the stub leaves out, apart from words like `return true;`.
 no_solution_code() {
-    awk 'NR == FNR { if ($0 ~ /^ / && $0 !~ /^ *\/\//) { sub(/^ */, ""); if (length($0) >= 16) code[$0] = 1 } next }
+    awk 'NR == FNR { inside = /BEGIN SOLUTION/ || (inside && !/END SOLUTION/)
+                     if (inside && $0 !~ /^ *\/\//) { sub(/^ */, ""); if (length($0) >= 16) code[$0] = 1 } next }
          { line = $0; sub(/^ */, "", line); if (line in code) { print FILENAME " gives away: " line; found = 1 } }
          END { exit found }' "$1" "$2"
 }

@@ -45,8 +45,19 @@ function print_first_line(    line, i) {
     marked += is_step
 }
 
+# A signature may take several lines.
+/^[A-Za-z].*\(.*,$/ {
+    begun = $0
+}
+begun != "" && /^ .*[,)]$/ {
+    begun = begun $0
+}
 /^[A-Za-z].*\)$/ {
-    read_signature($0)
+    begun = $0
+}
+begun ~ /\)$/ {
+    read_signature(begun)
+    begun = ""
 }
 /^ *\/\/ BEGIN SOLUTION$/ {
     if (inside)

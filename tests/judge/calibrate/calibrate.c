@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char help[] = "usage: calibrate [flags] [SET …]      sets: 1 2_source 2_phong 3; none: all\n"
+static const char help[] = "usage: calibrate [flags] [SET …]      sets: 1 2_source 2_phong 3 4; none: all\n"
                            "\n"
                            "  --build DIR       where photonlab and solutions/ are (build)\n"
                            "  --renders N       pictures for means and spreads (2000)\n"
@@ -73,7 +73,7 @@ static int parse(int count, char **arguments, Arguments *a, const char **sets)
         {"object", FLAG_TEXT, &a->object, 0, 0},     {"name", FLAG_TEXT, &a->name, 0, 0},
     };
     int wrong = command_line_parse(
-        &(CommandLine){"calibrate", help, "at most four sets", flags, FLAG_COUNT(flags), 0, PICTURE_SETS}, count,
+        &(CommandLine){"calibrate", help, "at most five sets", flags, FLAG_COUNT(flags), 0, PICTURE_SETS}, count,
         arguments, sets);
     if (!wrong && ((!a->step && a->object) || (a->step && !step_find(a->step))))
         return report_usage("calibrate", "--object with a --step that there is");
@@ -104,6 +104,6 @@ int main(int count, char **arguments)
         done++;
     }
     if (done == 0)
-        fprintf(stderr, "calibrate: no such set; they are 1, 2_source, 2_phong, 3\n");
+        fprintf(stderr, "calibrate: no such set; they are 1, 2_source, 2_phong, 3, 4\n");
     return done == 0 ? 2 : ok ? 0 : 1;
 }

@@ -31,10 +31,13 @@ typedef struct {
 // Memory that was asked for; without it the judge ends.
 void *must(void *memory);
 
-// Each returns the case's number within the check, from 0. Arguments of calls: as tests/judge/probe/ reads them.
+// Each returns the case's number within the check, from 0. Arguments of calls: as tests/judge/probe/ reads them; some begin
+// with a scene.
 size_t plan_call(Plan *plan, long count, const double *arguments, size_t argument_count);
+size_t plan_call_in(Plan *plan, const char *scene, long count, const double *arguments, size_t argument_count);
 size_t plan_paths(Plan *plan, const char *scene, long photons, long batches, int depth, const char *steps);
-size_t plan_picture(Plan *plan, const char *scene, int side, long photons, int k, int depth, const char *steps);
+size_t plan_picture(Plan *plan, const char *integrator, const char *scene, int side, long photons, int k, int depth,
+                    const char *steps);
 
 typedef struct {
     const float *values;
@@ -87,7 +90,7 @@ typedef struct {
     CheckKind kind;
     void (*plan)(Plan *plan);
     void (*judge)(const Results *results, Finding *finding);
-    bool scene; // its cases are paths or pictures: all other steps are there; otherwise only `needs` of the step
+    bool scene; // all other steps are there, as for paths and pictures; otherwise only `needs` of the step
 } Check;
 
 // The checks of one step.

@@ -121,9 +121,9 @@ static void describe(const PictureSet *set, const char *root, char *text, size_t
 {
     snprintf(
         text, size,
-        "photonlab picture reference 1\nscene %s\nscene_hash %016llx\npixels %d x %d\nphotons %ld\nk %d\ndepth %d\n"
+        "photonlab picture reference 1\nintegrator %s\nscene %s\nscene_hash %016llx\npixels %d x %d\nphotons %ld\nk %d\ndepth %d\n"
         "steps %s\nreplicates %d\n",
-        set->scene, (unsigned long long)scene_hash(set, root), set->side, set->side, set->photons, set->k, set->depth,
+        set->integrator, set->scene, (unsigned long long)scene_hash(set, root), set->side, set->side, set->photons, set->k, set->depth,
         set->steps, set->replicates);
 }
 

@@ -8,17 +8,18 @@
 #include <string.h>
 
 const PictureSet picture_sets[PICTURE_SETS] = {
-    {"1", "tests/steps/scenes/picture_1.yaml", 40, 6000, 30, 5, "2.4,1.5", 8, "1.1"},
-    {"2_source", "tests/steps/scenes/picture_2.yaml", 40, 3000, 24, 4, "2.3,1.5", 8, "2.3"},
-    {"2_phong", "tests/steps/scenes/picture_2.yaml", 40, 3000, 24, 4, "2.4,1.5", 8, "2.4"},
-    {"3", "tests/steps/scenes/picture_3.yaml", 40, 3500, 30, 8, "2.4,3.4", 8, "3.1"},
+    {"1", "photons-only", "tests/steps/scenes/picture_1.yaml", 40, 6000, 30, 5, "2.4,1.5", 8, "1.1"},
+    {"2_source", "photons-only", "tests/steps/scenes/picture_2.yaml", 40, 3000, 24, 4, "2.3,1.5", 8, "2.3"},
+    {"2_phong", "photons-only", "tests/steps/scenes/picture_2.yaml", 40, 3000, 24, 4, "2.4,1.5", 8, "2.4"},
+    {"3", "photons-only", "tests/steps/scenes/picture_3.yaml", 40, 3500, 30, 8, "2.4,3.4", 8, "3.1"},
+    {"4", "gather", "tests/steps/scenes/picture_4.yaml", 24, 2000, 30, 6, "2.4,3.4", 8, "4.3"},
 };
-enum { SET_1, SET_2_SOURCE, SET_2_PHONG, SET_3 };
+enum { SET_1, SET_2_SOURCE, SET_2_PHONG, SET_3, SET_4 };
 
 void picture_set_plan(const PictureSet *set, Plan *plan)
 {
     for (int i = 0; i < set->replicates; i++)
-        plan_picture(plan, set->scene, set->side, set->photons, set->k, set->depth, set->steps);
+        plan_picture(plan, set->integrator, set->scene, set->side, set->photons, set->k, set->depth, set->steps);
 }
 
 // ---- what right code never gives ----
@@ -225,6 +226,11 @@ void plan_picture_3(Plan *plan)
     picture_set_plan(&picture_sets[SET_3], plan);
 }
 
+void plan_picture_4(Plan *plan)
+{
+    picture_set_plan(&picture_sets[SET_4], plan);
+}
+
 void judge_picture_1(const Results *results, Finding *finding)
 {
     judge_set(&picture_sets[SET_1], false, results, finding);
@@ -248,4 +254,9 @@ void judge_picture_2_phong(const Results *results, Finding *finding)
 void judge_picture_3(const Results *results, Finding *finding)
 {
     judge_set(&picture_sets[SET_3], false, results, finding);
+}
+
+void judge_picture_4(const Results *results, Finding *finding)
+{
+    judge_set(&picture_sets[SET_4], false, results, finding);
 }

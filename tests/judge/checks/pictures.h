@@ -17,6 +17,7 @@
 
 typedef struct {
     const char *name;  // of its files in tests/reference/pictures/
+    const char *integrator;
     const char *scene; // from the checkout's root
     int side;          // pixels, a multiple of 8
     long photons;
@@ -26,7 +27,7 @@ typedef struct {
     const char *step;  // one of the graded steps; calibrate has the probe play its solution
 } PictureSet;
 
-#define PICTURE_SETS 4
+#define PICTURE_SETS 5
 extern const PictureSet picture_sets[PICTURE_SETS];
 void picture_set_plan(const PictureSet *set, Plan *plan);
 

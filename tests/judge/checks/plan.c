@@ -35,9 +35,15 @@ static uint64_t next_seed(const Plan *plan)
 
 size_t plan_call(Plan *plan, long count, const double *arguments, size_t argument_count)
 {
-    size_t size = 64 + 32 * argument_count;
+    return plan_call_in(plan, "", count, arguments, argument_count);
+}
+
+size_t plan_call_in(Plan *plan, const char *scene, long count, const double *arguments, size_t argument_count)
+{
+    size_t size = 64 + strlen(scene) + 32 * argument_count;
     char *line = must(malloc(size));
-    int length = snprintf(line, size, "call %ld %llu", count, (unsigned long long)next_seed(plan));
+    int length = snprintf(line, size, "call %ld %llu%s%s", count, (unsigned long long)next_seed(plan), *scene ? " " : "",
+                          scene);
     for (size_t i = 0; i < argument_count; i++)
         length += snprintf(line + length, size - (size_t)length, " %.9g", arguments[i]);
     return plan_line(plan, line);
@@ -52,11 +58,12 @@ size_t plan_paths(Plan *plan, const char *scene, long photons, long batches, int
     return plan_line(plan, line);
 }
 
-size_t plan_picture(Plan *plan, const char *scene, int side, long photons, int k, int depth, const char *steps_text)
+size_t plan_picture(Plan *plan, const char *integrator, const char *scene, int side, long photons, int k, int depth,
+                    const char *steps_text)
 {
-    size_t size = strlen(scene) + strlen(steps_text) + 128;
+    size_t size = strlen(integrator) + strlen(scene) + strlen(steps_text) + 128;
     char *line = must(malloc(size));
-    snprintf(line, size, "picture %s %d %d %ld %d %d %s %llu", scene, side, side, photons, k, depth, steps_text,
+    snprintf(line, size, "picture %s %s %d %d %ld %d %d %s %llu", integrator, scene, side, side, photons, k, depth, steps_text,
              (unsigned long long)next_seed(plan));
     return plan_line(plan, line);
 }

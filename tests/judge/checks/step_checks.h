@@ -23,6 +23,8 @@ void plan_picture_2_phong(Plan *plan);
 void judge_picture_2_phong(const Results *results, Finding *finding);
 void plan_picture_3(Plan *plan);
 void judge_picture_3(const Results *results, Finding *finding);
+void plan_picture_4(Plan *plan);
+void judge_picture_4(const Results *results, Finding *finding);
 #define PICTURE_1                                                                                                      \
     {                                                                                                                  \
         "picture", "The picture of stage 1", CHECK_PICTURE, plan_picture_1, judge_picture_1, true                      \
@@ -38,6 +40,11 @@ void judge_picture_3(const Results *results, Finding *finding);
 #define PICTURE_3                                                                                                      \
     {                                                                                                                  \
         "picture", "The picture of stage 3", CHECK_PICTURE, plan_picture_3, judge_picture_3, true                      \
+    }
+
+#define PICTURE_4                                                                                                      \
+    {                                                                                                                  \
+        "picture", "The picture of stage 4", CHECK_PICTURE, plan_picture_4, judge_picture_4, true                      \
     }
 
 #endif

@@ -41,7 +41,7 @@ static bool is_date(const char *text)
 // step ID WEIGHT [hidden]
 static bool step_line(char **rest, Lines *lines, PointsTable *table, const char **expected)
 {
-    *expected = "step ID WEIGHT [hidden], with one of the steps 1.1 to 3.5, e.g. `step 2.1 6`";
+    *expected = "step ID WEIGHT [hidden], with one of the steps 1.1 to 4.5, e.g. `step 2.1 6`";
     const char *id = strtok_r(NULL, " \t", rest);
     for (int i = 0; id && i < STEP_COUNT; i++) {
         if (strcmp(step_table[i].id, id) != 0)

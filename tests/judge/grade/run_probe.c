@@ -37,8 +37,7 @@ static void make_job(const GradeOptions *options, const StepInfo *step, bool sce
     const char *const words[] = {"--step", step->id, "--object", object};
     probe_job_words(job, words, 4);
     probe_job_show(job, "%s", object);
-    if (scene)
-        probe_job_show(job, "%s/tests/steps/scenes", options->root);
+    probe_job_show(job, "%s/tests/steps/scenes", options->root);
     for (size_t i = 0; i < STEP_COUNT; i++)
         if (is_visible(step, &step_table[i], scene))
             probe_job_show(job, "%s/solutions/%s.so", options->build, step_table[i].file);

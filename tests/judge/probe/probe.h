@@ -4,7 +4,7 @@
 // It reads cases, one a line, words parted by spaces:
 //   call COUNT SEED ARGUMENT…      the step COUNT times, call i with the random stream (SEED, i); what its row in lib/steps/steps.def lists
 //   paths SCENE PHOTONS BATCHES DEPTH STEPS SEED             photon passes in BATCHES parts; see probe_paths.c
-//   picture SCENE WIDTH HEIGHT PHOTONS K DEPTH STEPS SEED    one picture, photons only, one eye ray a pixel
+//   picture INTEGRATOR SCENE WIDTH HEIGHT PHOTONS K DEPTH STEPS SEED    one picture, one eye ray a pixel
 //   scatter SCENE PHOTONS ROOM DEPTH STEPS SEED              the photons of one pass, at most ROOM; see probe_scatter.h
 // SCENE is a path from --root, STEPS what `--steps` takes. The numbers are written as they come off this machine, case by case:
 //   "photonlab probe 1\n", then for every case two uint32 (its number from 0, how many floats) and the floats.

@@ -10,12 +10,15 @@
 #define UNTOUCHED    -77.0f // left where a step must not write
 
 // One value of each type: how it is read, what stands there before a step fills it, how it is written.
+#define READ_int(line)          (int)probe_whole(line, -1000, 1000)
 #define READ_float(line)        (float)probe_number(line)
 #define READ_Vec3(line)         probe_vec3(line)
 #define READ_Colour(line)       probe_colour(line)
 #define READ_PhotonColour(line) (PhotonColour) probe_whole(line, WHITE, BLUE)
 #define UNTOUCHED_float         UNTOUCHED
 #define UNTOUCHED_Vec3          vec3(UNTOUCHED, UNTOUCHED, UNTOUCHED)
+#define UNTOUCHED_Colour        colour_grey(UNTOUCHED)
+#define UNTOUCHED_Hemisphere    untouched_hemisphere()
 #define UNTOUCHED_Photon        photon_create(vec3(UNTOUCHED, 0, 0), vec3(0, 0, 1), colour_grey(UNTOUCHED))
 #define PUT_bool(output, value) probe_put(output, (value) ? 1.0f : 0.0f)
 #define PUT_int(output, value)  probe_put(output, (float)(value))
@@ -23,6 +26,7 @@
 #define PUT_Vec3                probe_put_vec3
 #define PUT_Colour              probe_put_colour
 #define PUT_Photon              put_photon
+#define PUT_Hemisphere(output, value) put_hemisphere(output, &(value))
 
 static void put_photon(ProbeOutput *output, Photon photon)
 {
@@ -33,6 +37,38 @@ static void put_photon(ProbeOutput *output, Photon photon)
     probe_put(output, (float)photon.bounce);
 }
 
+static Hemisphere untouched_hemisphere(void)
+{
+    Hemisphere seen;
+    for (int j = 0; j < GATHER_RINGS; j++)
+        for (int k = 0; k < GATHER_SECTORS; k++) {
+            seen.radiance[j][k] = colour_grey(UNTOUCHED);
+            seen.distance[j][k] = UNTOUCHED;
+        }
+    return seen;
+}
+
+// Cell by cell: radiance, distance.
+static void put_hemisphere(ProbeOutput *output, const Hemisphere *seen)
+{
+    for (int j = 0; j < GATHER_RINGS; j++)
+        for (int k = 0; k < GATHER_SECTORS; k++) {
+            probe_put_colour(output, seen->radiance[j][k]);
+            probe_put(output, seen->distance[j][k]);
+        }
+}
+
+#define MOST_DRAWS 100
+
+// How many numbers were taken from the stream; MOST_DRAWS: as many, or more, or it was set to something else.
+static int draws_between(Rng before, const Rng *after)
+{
+    int count = 0;
+    for (; count < MOST_DRAWS && before.state != after->state; count++)
+        rng_u32(&before);
+    return count;
+}
+
 // A step's parameters, to be read once and then copied for each call.
 #define VALUE(type, name)               type name;
 #define CHANGED(type, name)             type name[1];
@@ -40,6 +76,7 @@ static void put_photon(ProbeOutput *output, Photon photon)
 #define GIVEN(type, name)
 #define RNG
 #define REDRAWS
+#define DRAWS
 #define SCENE_STEP(...)
 #define STEP(stage, number, symbol, title, anchor, pass, needs, reader, result, ...)                                   \
     struct symbol##_parameters {                                                                                       \
@@ -61,6 +98,7 @@ static bool read_call(const StepInfo *step, ProbeLine *line, Given *given, Param
 #define GIVEN(type, name)
 #define RNG
 #define REDRAWS
+#define DRAWS
 #define SCENE_STEP(stage, number, symbol, ...)                                                                         \
     case STEP_##symbol:                                                                                                \
         return error_set(error, "step %s is not called alone; use paths or picture", step->id);
@@ -80,8 +118,9 @@ static bool read_call(const StepInfo *step, ProbeLine *line, Given *given, Param
     return ok;
 }
 
-// Calls the step and writes its result; what it changed or filled is in the parameters.
-static void call_step(const StepInfo *step, const Given *given, Parameters *parameters, Rng *rng, ProbeOutput *output)
+// Calls the step with what was read and writes its result; what it changed or filled is in `parameters`.
+static void call_step(const StepInfo *step, const Given *given, const Parameters *read, Parameters *parameters, Rng *rng,
+                      ProbeOutput *output)
 {
 #define VALUE(type, name)               , p->name
 #define CHANGED(type, name)             , p->name
@@ -89,11 +128,12 @@ static void call_step(const StepInfo *step, const Given *given, Parameters *para
 #define GIVEN(type, name)               , given->name
 #define RNG                             , rng
 #define REDRAWS
+#define DRAWS
 #define SCENE_STEP(...)
 #define STEP(stage, number, symbol, title, anchor, pass, needs, reader, result, ...)                                   \
     case STEP_##symbol: {                                                                                              \
         struct symbol##_parameters *p = &parameters->symbol;                                                           \
-        p->none = 0;                                                                                                   \
+        *p = read->symbol;                                                                                             \
         PUT_##result(output, steps.symbol(STEP_PARAMETERS(none __VA_ARGS__)));                                         \
         break;                                                                                                         \
     }
@@ -102,7 +142,13 @@ static void call_step(const StepInfo *step, const Given *given, Parameters *para
     }
 }
 
-static void put_parameters(const StepInfo *step, const Parameters *parameters, long redraws, ProbeOutput *output)
+// What a call did beside its results.
+typedef struct {
+    long redraws;
+    int draws;
+} Taken;
+
+static void put_parameters(const StepInfo *step, const Parameters *parameters, const Taken *taken, ProbeOutput *output)
 {
 #define VALUE(type, name)
 #define CHANGED(type, name) PUT_##type(output, p->name[0]);
@@ -111,12 +157,13 @@ static void put_parameters(const StepInfo *step, const Parameters *parameters, l
         PUT_##type(output, p->name[i]);
 #define GIVEN(type, name)
 #define RNG
-#define REDRAWS probe_put(output, (float)redraws);
+#define REDRAWS probe_put(output, (float)taken->redraws);
+#define DRAWS   probe_put(output, (float)taken->draws);
 #define SCENE_STEP(...)
 #define STEP(stage, number, symbol, title, anchor, pass, needs, reader, result, ...)                                   \
     case STEP_##symbol: {                                                                                              \
         const struct symbol##_parameters *p = &parameters->symbol;                                                     \
-        (void)p;                                                                                                       \
+        (void)p, (void)taken;                                                                                          \
         __VA_ARGS__                                                                                                    \
         break;                                                                                                         \
     }
@@ -129,16 +176,17 @@ bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output, Erro
 {
     static Given given; // large, and one case runs at a time
     memset(&given, 0, sizeof given);
-    Parameters parameters;
+    static Parameters parameters, fresh;
     long count = probe_whole(line, 1, MOST_CALLS);
     uint64_t seed = probe_seed(line);
     bool ok = read_call(step, line, &given, &parameters, error);
     for (long i = 0; ok && i < count; i++) {
-        Rng rng = rng_create(seed, (uint64_t)i);
-        Parameters fresh = parameters;
+        Rng start = rng_create(seed, (uint64_t)i), rng = start;
         long redraws = redraw_cap_count();
-        call_step(step, &given, &fresh, &rng, output);
-        put_parameters(step, &fresh, redraw_cap_count() - redraws, output);
+        given_renew(&given);
+        call_step(step, &given, &parameters, &fresh, &rng, output);
+        Taken taken = {redraw_cap_count() - redraws, draws_between(start, &rng)};
+        put_parameters(step, &fresh, &taken, output);
     }
     given_free(&given);
     return ok;

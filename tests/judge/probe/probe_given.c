@@ -101,8 +101,14 @@ bool read_surroundings(ProbeLine *line, Given *given, Error *error)
     return given->map != NULL;
 }
 
+void given_renew(Given *given)
+{
+    gather_given_renew(given);
+}
+
 void given_free(Given *given)
 {
+    gather_given_free(given);
     photon_map_free(given->map);
     free(given->gather_read.near);
 }

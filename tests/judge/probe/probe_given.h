@@ -13,6 +13,11 @@ typedef struct {
     const Hit *hit;
     Vec3 wo;
     Gather *gather;
+    GatherTrace *trace;
+    Ray ray;
+    const Hemisphere *seen;
+    const IrradianceEstimate *const *near;
+    size_t count;
 
     Light light_read;
     Material material_read;
@@ -20,6 +25,9 @@ typedef struct {
     Hit hit_read;
     Gather gather_read;
     LobeTable lobe;
+    struct GatherScene *scene;
+    Hemisphere seen_read;
+    struct GivenEstimates *estimates;
 } Given;
 
 typedef bool Reader(ProbeLine *line, Given *given, Error *error);
@@ -28,8 +36,16 @@ Reader read_glass;
 Reader read_glass_and_photon;
 Reader read_light;
 Reader read_surroundings;
+// probe_gather.c
+Reader read_ray_in_scene;
+Reader read_hit_in_scene;
+Reader read_distances;
+Reader read_estimates;
+void gather_given_renew(Given *given);
+void gather_given_free(Given *given);
 
 PhotonColour probe_photon_colour(ProbeLine *line);
+void given_renew(Given *given); // as it was read, for the next call
 void given_free(Given *given);
 
 #endif

@@ -111,6 +111,9 @@ bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error)
 bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error)
 {
     SceneCase c = {0};
+    Integrator integrator;
+    if (!integrator_parse(probe_word(line), &integrator))
+        return error_set(error, "expected an integrator behind `picture`");
     const char *path = probe_word(line);
     c.width = probe_whole(line, 1, 1024);
     c.height = probe_whole(line, 1, 1024);
@@ -118,7 +121,7 @@ bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error)
     c.k = probe_whole(line, 1, 10000);
     if (!read_common(line, &c, error) || !(c.scene = probe_scene(path, error)))
         return false;
-    RenderOptions options = {.integrator = INTEGRATOR_PHOTONS_ONLY,
+    RenderOptions options = {.integrator = integrator,
                              .settings = c.scene->settings,
                              .seed = c.seed,
                              .threads = 1,

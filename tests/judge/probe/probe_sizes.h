@@ -18,7 +18,8 @@ enum {
     NUMBERS_float = 1,
     NUMBERS_Vec3 = 3,
     NUMBERS_Colour = 3,
-    NUMBERS_Photon = 11
+    NUMBERS_Photon = 11,
+    NUMBERS_Hemisphere = GATHER_RINGS * GATHER_SECTORS * 4
 };
 
 // Numbers of one call of this step; 0: it is not called alone, or there is no such step.
@@ -30,6 +31,7 @@ static inline size_t probe_call_size(const StepInfo *step)
 #define CHANGED(type, name)                                                          +NUMBERS_##type
 #define FILLED_ARRAY(type, name, count)                                              +NUMBERS_##type *count
 #define REDRAWS                                                                      +1
+#define DRAWS                                                                        +1
 #define SCENE_STEP(...)                                                              0,
 #define STEP(stage, number, symbol, title, anchor, pass, needs, reader, result, ...) NUMBERS_##result __VA_ARGS__,
     static const size_t sizes[STEP_COUNT] = {
@@ -48,7 +50,7 @@ static inline size_t probe_case_size(const char *id, const char *line)
         return (size_t)first * BATCH_NUMBERS;
     if (sscanf(line, "scatter %*s %*d %ld", &first) == 1)
         return SCATTER_HEAD + (size_t)first * SCATTER_NUMBERS;
-    if (sscanf(line, "picture %*s %ld %ld", &first, &second) == 2)
+    if (sscanf(line, "picture %*s %*s %ld %ld", &first, &second) == 2)
         return (size_t)first * (size_t)second * 3;
     return 0;
 }

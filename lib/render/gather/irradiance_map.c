@@ -1,0 +1,223 @@
+// Estimates are averaged in the cells of a grid, apart by the way their surface faces, and found by hashing: the nearest
+// one is not worth a search in a tree, since hundreds of them are summed.
+#include "render/gather/irradiance_map.h"
+
+#include "steps/steps.h"
+
+#include <stdlib.h>
+
+#define ESTIMATES_A_CELL 4.0f // on a flat surface, on average
+#define FACINGS         6    // along ±x, ±y, ±z, whichever is nearest
+
+// Keys apart from what they lead to: a gather ray ends anywhere, and keys alone fit a processor's cache.
+struct IrradianceMap {
+    uint64_t *keys;         // hashes of cell and facing; 0: the slot is empty
+    LocalIrradiance *cells; // means, while the map is built: sums
+    uint32_t *counts;       // of estimates in each
+    size_t mask;            // slots − 1, a power of two less one
+    float size;             // of a cell, m; 0: no cells, and the same everywhere
+    LocalIrradiance everywhere;
+};
+
+typedef struct {
+    Vec3 position, normal;
+    LocalIrradiance local; // radius 0: there is none
+} Site;
+
+static int facing_of(Vec3 normal)
+{
+    float x = fabsf(normal.x), y = fabsf(normal.y), z = fabsf(normal.z);
+    if (x >= y && x >= z)
+        return normal.x < 0.0f ? 0 : 1;
+    if (y >= z)
+        return normal.y < 0.0f ? 2 : 3;
+    return normal.z < 0.0f ? 4 : 5;
+}
+
+typedef struct {
+    int32_t x, y, z;
+} Place;
+
+static Place place_of(const IrradianceMap *map, Vec3 p)
+{
+    float scale = 1.0f / map->size;
+    return (Place){(int32_t)floorf(p.x * scale), (int32_t)floorf(p.y * scale), (int32_t)floorf(p.z * scale)};
+}
+
+// 64 bits of hash stand for the cell: that two share one does not happen.
+static uint64_t key_of(Place place, int facing)
+{
+    uint64_t hash = hash_u64((uint64_t)(uint32_t)place.x << 32 | (uint32_t)place.y);
+    return hash_u64(hash ^ ((uint64_t)(uint32_t)place.z << 3 | (uint64_t)facing)) | 1u;
+}
+
+// The slot of this key, or the empty one where it would go.
+static size_t slot_of(const IrradianceMap *map, uint64_t key)
+{
+    size_t slot = key >> 20 & map->mask;
+    while (map->keys[slot] && map->keys[slot] != key)
+        slot = (slot + 1) & map->mask;
+    return slot;
+}
+
+// A photon does not know its surface: a short ray back the way it came finds it.
+static bool find_surface(const Scene *scene, const StoredPhoton *photon, float step, Hit *hit)
+{
+    Vec3 wi = stored_photon_wi(photon);
+    Ray ray = {vec3_along(photon->position, wi, step), vec3_negate(wi), NO_PRIMITIVE};
+    return scene_intersect(scene, &ray, hit) && fabsf(hit->distance - step) < 0.5f * step &&
+           hit->material == &scene->materials[photon->material];
+}
+
+static Site estimate_site(const Scene *scene, const PhotonMap *photons, const StoredPhoton *photon, float step,
+                          Gather *gather)
+{
+    static const Material white = {.name = "white", .type = MATERIAL_DIFFUSE, .diffuse = {1.0f, 1.0f, 1.0f}};
+    Site site = {.local = {.radius = 0.0f}};
+    Hit hit;
+    if (!find_surface(scene, photon, step, &hit))
+        return site;
+    hit.material = &white;
+    gather->reach = 0.0f;
+    Colour radiance = steps.estimate_radiance(photons, &hit, hit.normal, gather);
+    site.position = photon->position;
+    site.normal = hit.normal;
+    site.local = (LocalIrradiance){colour_scale(radiance, PI), gather->reach};
+    return site;
+}
+
+static bool estimate_sites(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places, size_t k, Site *sites, size_t count)
+{
+    Vec3 extent = vec3_sub(bvh_bounds(scene->bvh).high, bvh_bounds(scene->bvh).low);
+    float step = 1e-4f * vec3_length(extent);
+    bool ok = true;
+#pragma omp parallel reduction(&& : ok)
+    {
+        Gather gather = {.k = k, .radius = INFINITY, .near = malloc(PHOTON_MAP_NEAREST_ROOM(k) * sizeof(NearPhoton))};
+        ok = gather.near != NULL;
+#pragma omp for schedule(dynamic, 256)
+        for (size_t i = 0; i < count; i++)
+            if (gather.near)
+                sites[i] = estimate_site(scene, photons, &places[i], step, &gather);
+        free(gather.near);
+    }
+    return ok;
+}
+
+// Cells in which about so many estimates lie on a flat piece of surface.
+static float cell_size(const Site *sites, size_t count, size_t photons, size_t k)
+{
+    double radius2 = 0.0;
+    size_t valid = 0;
+    for (size_t i = 0; i < count; i++) {
+        radius2 += (double)sites[i].local.radius * (double)sites[i].local.radius;
+        valid += sites[i].local.radius > 0.0f;
+    }
+    double area_a_photon = valid ? (double)PI * radius2 / (double)valid / (double)k : 1.0;
+    return (float)sqrt(area_a_photon * (double)photons / (double)count * (double)ESTIMATES_A_CELL);
+}
+
+static void add_site(IrradianceMap *map, const Site *site)
+{
+    uint64_t key = key_of(place_of(map, site->position), facing_of(site->normal));
+    size_t slot = slot_of(map, key);
+    map->keys[slot] = key;
+    map->cells[slot].irradiance = colour_add(map->cells[slot].irradiance, site->local.irradiance);
+    map->cells[slot].radius += site->local.radius;
+    map->counts[slot]++;
+}
+
+static LocalIrradiance scaled(LocalIrradiance local, float factor)
+{
+    return (LocalIrradiance){colour_scale(local.irradiance, factor), local.radius * factor};
+}
+
+static IrradianceMap *map_create(size_t slots, float size)
+{
+    IrradianceMap *map = calloc(1, sizeof *map);
+    if (!map)
+        return NULL;
+    *map = (IrradianceMap){calloc(slots, sizeof *map->keys), calloc(slots, sizeof *map->cells),
+                           calloc(slots, sizeof *map->counts), slots - 1, size, {{0, 0, 0}, 0}};
+    if (map->keys && map->cells && map->counts)
+        return map;
+    irradiance_map_free(map);
+    return NULL;
+}
+
+IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places, size_t count,
+                                    size_t k, Error *error)
+{
+    size_t slots = 64;
+    while (slots <= count)
+        slots *= 2;
+    Site *sites = calloc(count + 1, sizeof *sites);
+    bool ok = sites && estimate_sites(scene, photons, places, k, sites, count);
+    IrradianceMap *map = ok ? map_create(slots, cell_size(sites, count, photon_map_count(photons), k)) : NULL;
+    for (size_t i = 0; map && i < count; i++)
+        if (sites[i].local.radius > 0.0f)
+            add_site(map, &sites[i]);
+    for (size_t slot = 0; map && slot < slots; slot++)
+        if (map->counts[slot])
+            map->cells[slot] = scaled(map->cells[slot], 1.0f / (float)map->counts[slot]);
+    free(sites);
+    if (!map)
+        error_set(error, "not enough memory for the irradiance of %zu photons", count);
+    return map;
+}
+
+IrradianceMap *irradiance_map_uniform(Colour irradiance)
+{
+    IrradianceMap *map = map_create(1, 0.0f);
+    if (map)
+        map->everywhere.irradiance = irradiance;
+    return map;
+}
+
+void irradiance_map_free(IrradianceMap *map)
+{
+    if (!map)
+        return;
+    free(map->keys);
+    free(map->cells);
+    free(map->counts);
+    free(map);
+}
+
+size_t irradiance_map_bytes(const IrradianceMap *map)
+{
+    return (map->mask + 1) * (sizeof *map->keys + sizeof *map->cells + sizeof *map->counts);
+}
+
+// Where a cell is empty: the mean over its neighbours.
+static bool find_around(const IrradianceMap *map, Place place, int facing, LocalIrradiance *found)
+{
+    LocalIrradiance sum = {colour_grey(0.0f), 0.0f};
+    uint32_t count = 0;
+    for (int i = 0; i < 27; i++) {
+        Place next = {place.x + i % 3 - 1, place.y + i / 3 % 3 - 1, place.z + i / 9 - 1};
+        size_t slot = slot_of(map, key_of(next, facing));
+        float weight = (float)map->counts[slot]; // 0 in an empty slot
+        sum.irradiance = colour_add(sum.irradiance, colour_scale(map->cells[slot].irradiance, weight));
+        sum.radius += map->cells[slot].radius * weight;
+        count += map->counts[slot];
+    }
+    if (count)
+        *found = scaled(sum, 1.0f / (float)count);
+    return count > 0;
+}
+
+bool irradiance_map_find(const IrradianceMap *map, Vec3 position, Vec3 normal, LocalIrradiance *found)
+{
+    if (map->size == 0.0f) {
+        *found = map->everywhere;
+        return true;
+    }
+    Place place = place_of(map, position);
+    int facing = facing_of(normal);
+    size_t slot = slot_of(map, key_of(place, facing));
+    if (!map->keys[slot])
+        return find_around(map, place, facing, found);
+    *found = map->cells[slot];
+    return true;
+}

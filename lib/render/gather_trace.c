@@ -1,0 +1,69 @@
+#include "render/gather/gather_trace.h"
+
+#include "math/sample.h"
+#include "render/final_gather.h"
+
+const Material gather_white = {.name = "white", .type = MATERIAL_DIFFUSE, .diffuse = {1.0f, 1.0f, 1.0f}};
+
+Colour gather_send(GatherTrace *trace, Ray ray, Rng *rng)
+{
+    trace->met = 0;
+    trace->distance = INFINITY;
+    return steps.gather_radiance(trace, ray, rng);
+}
+
+bool gather_meet(GatherTrace *trace, const Ray *ray, Hit *hit)
+{
+    bool met = trace->met < trace->eye->options->settings.depth && scene_intersect(trace->eye->scene, ray, hit);
+    trace->eye->rays++;
+    if (trace->met++ == 0 && met)
+        trace->distance = hit->distance;
+    return met;
+}
+
+float gather_distance(const GatherTrace *trace)
+{
+    return trace->distance;
+}
+
+Colour gather_albedo(const GatherTrace *trace, const Ray *ray, const Hit *hit)
+{
+    return material_albedo(hit->material, trace->eye->options->play.glossy, -vec3_dot(ray->direction, hit->normal));
+}
+
+// Irradiance by lamps, caustics and one more ray, which no look-up blurs.
+static Colour gather_again(GatherTrace *trace, const Hit *hit)
+{
+    Eye *eye = trace->eye;
+    Hit on_white = *hit;
+    on_white.material = &gather_white;
+    eye->sampler.pixel = hash_u64(rng_u32(&eye->rng));
+    Colour leaving = colour_add(direct_light(eye, &on_white, hit->normal), caustic_light(eye, &on_white, hit->normal));
+    float u = rng_float(&eye->rng);
+    float v = rng_float(&eye->rng);
+    Ray onward = {hit->position, sample_cosine(hit->normal, u, v), hit->primitive};
+    GatherTrace next = {eye, INFINITY, 0, true};
+    return colour_scale(colour_add(leaving, gather_send(&next, onward, &eye->rng)), PI);
+}
+
+Colour gather_irradiance(GatherTrace *trace, const Hit *hit)
+{
+    LocalIrradiance local = {colour_grey(0.0f), INFINITY}; // no photon near: as good as none
+    irradiance_map_find(trace->eye->final->ends, hit->position, hit->normal, &local);
+    // Near a corner the disk of an estimate sticks out over the edge.
+    return !trace->is_second && hit->distance < local.radius ? gather_again(trace, hit) : local.irradiance;
+}
+
+Colour irradiance_extrapolate(const IrradianceEstimate *estimate, Vec3 position, Vec3 normal)
+{
+    Vec3 offset = vec3_sub(position, estimate->position);
+    Vec3 turn = vec3_cross(estimate->normal, normal);
+    Colour result = estimate->irradiance;
+    for (int c = 0; c < 3; c++) {
+        float at = colour_channel(estimate->irradiance, c);
+        float value = at + vec3_dot(turn, estimate->rotation[c]) + vec3_dot(offset, estimate->translation[c]);
+        // Without this bound single pixels explode.
+        colour_set_channel(&result, c, fminf(fmaxf(value, 0.5f * at), 1.6f * at));
+    }
+    return result;
+}

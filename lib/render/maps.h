@@ -1,0 +1,18 @@
+// What the eye pass looks up: made of photons before the first eye ray.
+#ifndef PHOTONLAB_RENDER_MAPS_H
+#define PHOTONLAB_RENDER_MAPS_H
+
+#include "render/gather/irradiance_map.h"
+#include "render/render.h"
+
+typedef struct {
+    PhotonMap *caustic;  // PHOTONS, GATHER
+    PhotonMap *rest;     // PHOTONS: indirect; PHOTONS_ONLY: all
+    IrradianceMap *ends; // GATHER: light where gather rays end
+} Maps;
+
+// Runs the photon pass, and writes into `stats` what it did. False when memory is short; maps_free is due in any case.
+bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, RenderStats *stats, Error *error);
+void maps_free(Maps *maps);
+
+#endif
