@@ -11,6 +11,7 @@ static const char help[] =
     "  -o FILE              also draw image − reference: red brighter, blue darker, white the same\n"
     "  --scale S            the difference that gets full colour; 0 chooses (default)\n"
     "  --mask X0,Y0,X1,Y1   leave out columns X0 ≤ x < X1, rows Y0 ≤ y < Y1 (a visible light, say)\n"
+    "  --blocks N           compare means over N×N pixels: blotches, not grain\n"
     "  --json               one line of JSON instead\n";
 
 typedef struct {
@@ -18,6 +19,7 @@ typedef struct {
     const char *out;
     ImageMask mask;
     float scale;
+    int blocks;
     bool json;
 } Arguments;
 
@@ -30,6 +32,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"o", FLAG_TEXT, &a->out, 0, 0},
         {"scale", FLAG_FLOAT, &a->scale, 0, 1e30},
         {"mask", FLAG_TEXT, &mask, 0, 0},
+        {"blocks", FLAG_INT, &a->blocks, 1, MOST_SIDE},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
     };
     int wrong =
@@ -65,11 +68,22 @@ static void print_table(const ImageDifference *d)
     printf("relMSE %.4g, trimmed %.4g (%zu pixels)\n", d->relative_mse_all, d->relative_mse_trimmed, d->pixels);
 }
 
+// The picture in blocks takes its place.
+static bool shrink(Image *image, const Arguments *a, Error *error)
+{
+    Image blocks = {0, 0, NULL};
+    bool ok = image_blocks(image, a->blocks, a->mask, &blocks, error);
+    image_free(image);
+    *image = blocks;
+    return ok;
+}
+
 static bool compare(const Arguments *a, Image *image, Image *reference, Image *picture, Error *error)
 {
     ImageDifference difference;
     if (!image_read(image, a->files[0], error) || !image_read(reference, a->files[1], error) ||
-        !image_difference(image, reference, a->mask, &difference, error))
+        (a->blocks && (!shrink(image, a, error) || !shrink(reference, a, error))) ||
+        !image_difference(image, reference, a->blocks ? (ImageMask){0, 0, 0, 0} : a->mask, &difference, error))
         return false;
     if (a->out &&
         (!image_difference_picture(image, reference, a->scale, picture, error) || !image_write(picture, a->out, error)))

@@ -11,6 +11,8 @@ static const char help[] =
     "  --bits 8|16          of the PNG's channels (8)\n"
     "  --integrator NAME    photons       direct light by shadow rays, the rest from photon maps (default)\n"
     "                       photons-only  everything from the map at the first rough surface\n"
+    "                       gather        as photons, but indirect light by gather rays, which look the map up where they end;\n"
+    "                                     --k photons for each of these look-ups\n"
     "                       path          no photons: a path tracer, to check against\n"
     "  --photons N          photons to emit\n"
     "  --k N                photons in an estimate; caustics take a quarter\n"
@@ -41,8 +43,7 @@ typedef struct {
 // 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
 static int parse(int count, char **arguments, Arguments *a)
 {
-    static const char *const INTEGRATORS[] = {"photons", "photons-only", "path", NULL}; // as the enum has them
-    *a = (Arguments){.integrator = {INTEGRATORS, 0},
+    *a = (Arguments){.integrator = {integrator_names, -1}, // −1: as the scene says
                      .bits = 8,
                      .settings = {.radius = -1.0f},
                      .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
@@ -74,10 +75,9 @@ static int parse(int count, char **arguments, Arguments *a)
         return report_usage("photonlab render", "--bits %d: expected 8 or 16", a->bits);
     if (!a->out)
         return report_usage("photonlab render", "say where to write the picture: -o OUT.png");
-    a->options.integrator = (Integrator)a->integrator.chosen;
     a->settings.width = a->size[0];
     a->settings.height = a->size[1];
-    if (a->options.glass_sides == 1 && a->options.integrator == INTEGRATOR_PATH)
+    if (a->options.glass_sides == 1 && a->integrator.chosen == INTEGRATOR_PATH)
         return report_usage("photonlab render", "--glass-sides 1: the path tracer knows whole glass only");
     Error error = {""};
     if (!image_path_is_known(a->out, &error) || (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
@@ -119,12 +119,15 @@ int command_render(int count, char **arguments)
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
-    if ((a.code || a.options.integrator != INTEGRATOR_PATH) && !steps_load(a.code, &error))
-        return report_error(&error);
     Scene *scene = scene_load(a.scene, &error);
     if (!scene)
         return report_error(&error);
     a.options.settings = settings_of(scene, &a.settings);
+    a.options.integrator = a.integrator.chosen < 0 ? scene->settings.integrator : (Integrator)a.integrator.chosen;
+    if ((a.code || a.options.integrator != INTEGRATOR_PATH) && !steps_load(a.code, &error)) {
+        scene_free(scene);
+        return report_error(&error);
+    }
     if (a.code && !a.steps)
         a.options.play = step_choice_for_student();
     if (a.code && !a.quiet)

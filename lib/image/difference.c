@@ -139,3 +139,20 @@ bool image_difference_picture(const Image *image, const Image *reference, float 
     }
     return true;
 }
+
+bool image_blocks(const Image *image, int side, ImageMask mask, Image *blocks, Error *error)
+{
+    int across = image->width / side, down = image->height / side;
+    if (across < 1 || down < 1)
+        return error_set(error, "the image is %d×%d pixels; expected at least one block of %d", image->width,
+                         image->height, side);
+    if (!image_create(blocks, across, down, error))
+        return false;
+    for (int row = 0; row < down * side; row++)
+        for (int column = 0; column < across * side; column++) {
+            Colour *mean = image_at(blocks, column / side, row / side);
+            if (!is_masked(mask, column, row))
+                *mean = colour_add(*mean, colour_scale(*image_at(image, column, row), 1.0f / (float)(side * side)));
+        }
+    return true;
+}

@@ -21,6 +21,10 @@ typedef struct {
     int x0, y0, x1, y1;
 } ImageMask;
 
+// Means over blocks of `side` × `side` pixels, with black for what is masked; columns and rows that fill no block are left
+// out. To compare pictures by errors that are wider than a pixel.
+bool image_blocks(const Image *image, int side, ImageMask mask, Image *blocks, Error *error);
+
 // False when the sizes differ, either image holds NaN or infinity, or nothing is left to compare.
 bool image_difference(const Image *image, const Image *reference, ImageMask mask, ImageDifference *result,
                       Error *error);

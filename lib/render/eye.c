@@ -6,6 +6,7 @@
 #define SPLIT_WEIGHT  0.25f // glass: both ways are followed while the ray still carries this much …
 #define ALIVE_WEIGHT  0.05f // … and below this a ray survives by roulette
 #define CAUSTIC_SHARE 4     // caustics are estimated from k/4 photons …
+#define LOBE_RAYS     4     // GATHER: sent into the lobe of a glossy surface that the eye sees straight
 #define CAUSTIC_LEAST 20    // … but not from fewer than these, if k is larger
 
 typedef struct {
@@ -81,16 +82,24 @@ static Colour indirect_lobe(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
     float lobe_share = !material_kind(hit->material)->cosine_lobe        ? 0.0f
                        : eye->options->play.glossy == GLOSSY_SOURCE_TEXT ? fminf(0.5f * (1.0f + cos_o), 0.95f)
                                                                          : 1.0f;
-    float choice = rng_float(&eye->rng);
-    float u, v;
-    sampler_point(&eye->sampler, SAMPLER_LOBE + (uint32_t)carried.bounce, &u, &v);
-    Vec3 wi;
-    float pdf;
-    if (!sample_rough(hit, wo, lobe_share, choice, u, v, &wi, &pdf))
-        return colour_grey(0.0f);
-    Colour f = material_lobe(hit->material, eye->options->play.glossy, wi, wo, hit->normal);
+    int rays = eye->options->integrator == INTEGRATOR_GATHER && carried.bounce == 0 ? LOBE_RAYS : 1;
+    Sampler sampler = eye->sampler;
+    sampler.index *= (uint32_t)rays;
+    Colour sum = colour_grey(0.0f);
     carried.sees_lights = false;
-    return follow(eye, hit, wi, colour_scale(f, vec3_dot(wi, hit->normal) / pdf), carried);
+    for (int i = 0; i < rays; i++, sampler.index++) {
+        float choice = rng_float(&eye->rng);
+        float u, v;
+        sampler_point(&sampler, SAMPLER_LOBE + (uint32_t)carried.bounce, &u, &v);
+        Vec3 wi;
+        float pdf;
+        if (!sample_rough(hit, wo, lobe_share, choice, u, v, &wi, &pdf))
+            continue;
+        Colour f = material_lobe(hit->material, eye->options->play.glossy, wi, wo, hit->normal);
+        Colour share = colour_scale(f, vec3_dot(wi, hit->normal) / pdf / (float)rays);
+        sum = colour_add(sum, follow(eye, hit, wi, share, carried));
+    }
+    return sum;
 }
 
 // Light leaving a rough surface. PHOTONS_ONLY does what the source text does: one look-up at the first such surface.

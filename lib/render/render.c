@@ -134,14 +134,3 @@ bool render_image(const Scene *scene, const RenderOptions *options, Image *image
         image_free(image);
     return ok;
 }
-
-bool integrator_parse(const char *name, Integrator *integrator)
-{
-    static const char *const names[] = {"photons", "photons-only", "gather", "path"};
-    for (int i = 0; i < 4; i++)
-        if (strcmp(name, names[i]) == 0) {
-            *integrator = (Integrator)i;
-            return true;
-        }
-    return false;
-}

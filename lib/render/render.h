@@ -6,16 +6,6 @@
 #include "photons/pass/photon_pass.h"
 #include "steps/steps.h"
 
-typedef enum {
-    INTEGRATOR_PHOTONS, // direct light by shadow rays; caustics (from k/4 photons) and indirect light from two maps
-    INTEGRATOR_PHOTONS_ONLY, // everything from one map, looked up at the first rough surface, as the source text does
-    INTEGRATOR_GATHER, // direct light and caustics as in PHOTONS; indirect light by gather rays, whose estimates are shared
-    INTEGRATOR_PATH          // no photons: a plain path tracer, to check against
-} Integrator;
-
-// As --integrator takes it: photons, photons-only, gather, path.
-bool integrator_parse(const char *name, Integrator *integrator);
-
 typedef struct {
     Integrator integrator;
     RenderSettings settings;

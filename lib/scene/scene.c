@@ -1,5 +1,7 @@
 #include "scene/scene.h"
 
+#include <string.h>
+
 #include <stdlib.h>
 
 void scene_free(Scene *scene)
@@ -83,4 +85,16 @@ bool scene_occluded(const Scene *scene, const Ray *ray, float distance, const Li
 {
     float end = distance * (1.0f - 1e-5f);
     return bvh_occluded(scene->bvh, ray, nearest_distance(ray->origin), end, light->primitive);
+}
+
+const char *const integrator_names[] = {"photons", "photons-only", "gather", "path", NULL};
+
+bool integrator_parse(const char *name, Integrator *integrator)
+{
+    for (int i = 0; integrator_names[i]; i++)
+        if (strcmp(name, integrator_names[i]) == 0) {
+            *integrator = (Integrator)i;
+            return true;
+        }
+    return false;
 }

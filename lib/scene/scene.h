@@ -11,6 +11,19 @@
 
 #include <stddef.h>
 
+// How a picture is made of a scene.
+typedef enum {
+    INTEGRATOR_PHOTONS,      // lamps by shadow rays; caustics (from k/4 photons) and indirect light from two maps
+    INTEGRATOR_PHOTONS_ONLY, // everything from one map, looked up at the first rough surface, as the source text does
+    INTEGRATOR_GATHER,       // as PHOTONS, but indirect light by gather rays, whose estimates are shared
+    INTEGRATOR_PATH          // no photons: a plain path tracer, to check against
+} Integrator;
+#define INTEGRATOR_NAMES "photons, photons-only, gather or path"
+extern const char *const integrator_names[]; // "photons", …, NULL: as files and --integrator have them
+
+// False when there is none of this name.
+bool integrator_parse(const char *name, Integrator *integrator);
+
 // What the scene file asks for; flags of the command line go before.
 typedef struct {
     int width, height; // pixels
@@ -19,6 +32,7 @@ typedef struct {
     int k;             // photons in an estimate
     float radius;      // largest radius of an estimate, m; 0: no limit (k alone decides)
     int depth;         // bounces after which a path is cut
+    Integrator integrator;
 } RenderSettings;
 
 typedef struct {

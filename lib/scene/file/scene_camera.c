@@ -43,6 +43,7 @@ static const SceneKey render_keys[] = {
     {"radius", KEY_NUMBER, "0", RANGE_TOLD(0, SCENE_LARGEST_NUMBER, "m", "a length in metres, or 0 for no limit"),
      "largest radius of an estimate; 0: k alone decides"},
     {"depth", KEY_WHOLE, "32", RANGE(1, MOST_DEPTH, "bounces"), "after so many bounces a path is cut"},
+    {"integrator", KEY_WORD, "photons", RANGE_NAME, "how light is found: " INTEGRATOR_NAMES},
     {.name = NULL},
 };
 
@@ -54,7 +55,12 @@ static const SceneType render_type = {
 
 static bool build_render(SceneBuilder *builder, SceneEntry *entry)
 {
+    Integrator integrator;
+    if (!integrator_parse(scene_word(entry, "integrator"), &integrator))
+        return scene_fault(entry, "integrator", "there is no integrator '%s'; expected " INTEGRATOR_NAMES,
+                           scene_word(entry, "integrator"));
     builder->scene->settings = (RenderSettings){
+        .integrator = integrator,
         .width = (int)scene_whole(entry, "width"),
         .height = (int)scene_whole(entry, "height"),
         .samples = (int)scene_whole(entry, "samples"),
