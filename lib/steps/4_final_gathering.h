@@ -48,7 +48,7 @@ float irradiance_reach(const Hemisphere *seen, float shortest, float longest);
 //          (x − x_i)·(n + n_i)/2 < −0.05·accuracy·R_i
 // The answer is their mean, each as irradiance_extrapolate carries it to the place, weighed by 1 − ε_i/accuracy. False,
 // and *irradiance left alone, where none serves. n·n_i may come out a little above 1.
-bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal, float accuracy,
-                            Colour *irradiance);
+bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal,
+                            float accuracy, Colour *irradiance);
 
 #endif

@@ -1,8 +1,8 @@
 // Step 4.5: irradiance by the estimates near a place. Contract: lib/steps/4_final_gathering.h
 #include "photonlab.h"
 
-bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal, float accuracy,
-                            Colour *irradiance)
+bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal,
+                            float accuracy, Colour *irradiance)
 {
     // BEGIN SOLUTION
     Colour sum = colour_grey(0.0f);

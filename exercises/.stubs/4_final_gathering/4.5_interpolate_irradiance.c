@@ -1,8 +1,8 @@
 // Step 4.5: irradiance by the estimates near a place. Contract: lib/steps/4_final_gathering.h
 #include "photonlab.h"
 
-bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal, float accuracy,
-                            Colour *irradiance)
+bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal,
+                            float accuracy, Colour *irradiance)
 {
     todo("4.5"), (void)near, (void)count, (void)position, (void)normal, (void)accuracy, (void)irradiance; // take this line away when you start
 

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void (*const judges[PICTURE_SETS])(const Results *, Finding *) = {judge_picture_1_v, judge_picture_2_source,
-                                                                         judge_picture_2_phong, judge_picture_3, judge_picture_4};
+static void (*const judges[PICTURE_SETS])(const Results *, Finding *) = {
+    judge_picture_1_v, judge_picture_2_source, judge_picture_2_phong, judge_picture_3, judge_picture_4};
 
 typedef struct {
     void (*judge)(const Results *, Finding *);

@@ -123,8 +123,8 @@ static void describe(const PictureSet *set, const char *root, char *text, size_t
         text, size,
         "photonlab picture reference 1\nintegrator %s\nscene %s\nscene_hash %016llx\npixels %d x %d\nphotons %ld\nk %d\ndepth %d\n"
         "steps %s\nreplicates %d\n",
-        set->integrator, set->scene, (unsigned long long)scene_hash(set, root), set->side, set->side, set->photons, set->k, set->depth,
-        set->steps, set->replicates);
+        set->integrator, set->scene, (unsigned long long)scene_hash(set, root), set->side, set->side, set->photons,
+        set->k, set->depth, set->steps, set->replicates);
 }
 
 bool picture_reference_write(const PictureSet *set, const char *path, const char *head,

@@ -16,7 +16,7 @@
 #define MOST_REPLICATES  32
 
 typedef struct {
-    const char *name;  // of its files in tests/reference/pictures/
+    const char *name; // of its files in tests/reference/pictures/
     const char *integrator;
     const char *scene; // from the checkout's root
     int side;          // pixels, a multiple of 8

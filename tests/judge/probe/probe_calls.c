@@ -10,22 +10,22 @@
 #define UNTOUCHED    -77.0f // left where a step must not write
 
 // One value of each type: how it is read, what stands there before a step fills it, how it is written.
-#define READ_int(line)          (int)probe_whole(line, -1000, 1000)
-#define READ_float(line)        (float)probe_number(line)
-#define READ_Vec3(line)         probe_vec3(line)
-#define READ_Colour(line)       probe_colour(line)
-#define READ_PhotonColour(line) (PhotonColour) probe_whole(line, WHITE, BLUE)
-#define UNTOUCHED_float         UNTOUCHED
-#define UNTOUCHED_Vec3          vec3(UNTOUCHED, UNTOUCHED, UNTOUCHED)
-#define UNTOUCHED_Colour        colour_grey(UNTOUCHED)
-#define UNTOUCHED_Hemisphere    untouched_hemisphere()
-#define UNTOUCHED_Photon        photon_create(vec3(UNTOUCHED, 0, 0), vec3(0, 0, 1), colour_grey(UNTOUCHED))
-#define PUT_bool(output, value) probe_put(output, (value) ? 1.0f : 0.0f)
-#define PUT_int(output, value)  probe_put(output, (float)(value))
-#define PUT_float               probe_put
-#define PUT_Vec3                probe_put_vec3
-#define PUT_Colour              probe_put_colour
-#define PUT_Photon              put_photon
+#define READ_int(line)                (int)probe_whole(line, -1000, 1000)
+#define READ_float(line)              (float)probe_number(line)
+#define READ_Vec3(line)               probe_vec3(line)
+#define READ_Colour(line)             probe_colour(line)
+#define READ_PhotonColour(line)       (PhotonColour) probe_whole(line, WHITE, BLUE)
+#define UNTOUCHED_float               UNTOUCHED
+#define UNTOUCHED_Vec3                vec3(UNTOUCHED, UNTOUCHED, UNTOUCHED)
+#define UNTOUCHED_Colour              colour_grey(UNTOUCHED)
+#define UNTOUCHED_Hemisphere          untouched_hemisphere()
+#define UNTOUCHED_Photon              photon_create(vec3(UNTOUCHED, 0, 0), vec3(0, 0, 1), colour_grey(UNTOUCHED))
+#define PUT_bool(output, value)       probe_put(output, (value) ? 1.0f : 0.0f)
+#define PUT_int(output, value)        probe_put(output, (float)(value))
+#define PUT_float                     probe_put
+#define PUT_Vec3                      probe_put_vec3
+#define PUT_Colour                    probe_put_colour
+#define PUT_Photon                    put_photon
 #define PUT_Hemisphere(output, value) put_hemisphere(output, &(value))
 
 static void put_photon(ProbeOutput *output, Photon photon)
@@ -119,8 +119,8 @@ static bool read_call(const StepInfo *step, ProbeLine *line, Given *given, Param
 }
 
 // Calls the step with what was read and writes its result; what it changed or filled is in `parameters`.
-static void call_step(const StepInfo *step, const Given *given, const Parameters *read, Parameters *parameters, Rng *rng,
-                      ProbeOutput *output)
+static void call_step(const StepInfo *step, const Given *given, const Parameters *read, Parameters *parameters,
+                      Rng *rng, ProbeOutput *output)
 {
 #define VALUE(type, name)               , p->name
 #define CHANGED(type, name)             , p->name

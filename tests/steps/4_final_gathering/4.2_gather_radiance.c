@@ -21,8 +21,14 @@ typedef struct {
     double share;     // of the rays that get there
 } Station;
 
-#define MATT    {0.6, 0.4, 0.2}
-#define NOTHING {0, 0, 0}
+#define MATT                                                                                                           \
+    {                                                                                                                  \
+        0.6, 0.4, 0.2                                                                                                  \
+    }
+#define NOTHING                                                                                                        \
+    {                                                                                                                  \
+        0, 0, 0                                                                                                        \
+    }
 
 static Station station_of(int number)
 {
@@ -37,8 +43,15 @@ static Station station_of(int number)
         {DARK, "a lamp's back", 60, 4, 15, NOTHING, NOTHING, 0, 1},
         {DARK, "nothing: the ray leaves the scene", 50, 1, 120, NOTHING, NOTHING, 0, 1},
         {DARK, "a mirror, and a lamp in it", 59.7, 1, 25, NOTHING, NOTHING, 0, 1},
-        {GLASS, "a pane of glass at 60°, a matt floor behind it, another ceiling in it", 69.5, 1, 60, MATT,
-         {0.1, 0.3, 0.5}, 1.5, 0},
+        {GLASS,
+         "a pane of glass at 60°, a matt floor behind it, another ceiling in it",
+         69.5,
+         1,
+         60,
+         MATT,
+         {0.1, 0.3, 0.5},
+         1.5,
+         0},
         {GLASS, "something matt within glass, from outside", 80, 3, 20, MATT, NOTHING, 1.5, 0},
         {GLASS, "something matt outside, from within glass", 88.5, 1, 160, MATT, NOTHING, 1.5, 0},
         {GLASS, "something matt within glass, by total reflection", 98, 1, 120, MATT, NOTHING, 1.5, 1},
@@ -101,8 +114,8 @@ static void plan_kind(Plan *plan, Kind kind)
         Vec3d e = irradiance_of(plan->seed, i);
         for (int t = 0; s.kind == kind && t < TRIES; t++) {
             double x = s.x + 0.2 * drawn(plan->seed, i, 10 + t) - 0.1, z = 0.8 * drawn(plan->seed, i, 20 + t) - 0.4;
-            plan_call_in(plan, SCENE, calls_of(&s),
-                         (double[]){e.x, e.y, e.z, x, s.y, z, sin(angle), -cos(angle), 0.0}, 9);
+            plan_call_in(plan, SCENE, calls_of(&s), (double[]){e.x, e.y, e.z, x, s.y, z, sin(angle), -cos(angle), 0.0},
+                         9);
         }
     }
 }
@@ -224,6 +237,6 @@ static void judge_glass(const Results *results, Finding *finding)
 DEFINE_CHECKS(gather_radiance,
               {"rough", "The light that leaves a rough surface", CHECK_VALUES, plan_rough, judge_rough, false},
               {"mirror", "On along mirrors, whose colour it takes", CHECK_VALUES, plan_mirror, judge_mirror, false},
-              {"dark", "Lamps and the open bring nothing, nor do lamps in mirrors", CHECK_VALUES, plan_dark,
-               judge_dark, false},
+              {"dark", "Lamps and the open bring nothing, nor do lamps in mirrors", CHECK_VALUES, plan_dark, judge_dark,
+               false},
               {"glass", "On through glass or back from it", CHECK_SAMPLES, plan_glass, judge_glass, false}, PICTURE_4)

@@ -72,16 +72,17 @@ static void judge_uniform(const Results *results, Finding *finding)
                          text_of(vec3d_along(vec3d(0, 0, 0), expected, 1.0 / pi)), text_of(expected),
                          text_of_floats(found), ratio_of(found, expected));
         finding_feature(finding, found ? ratio_of(found, expected) - 1.0 : (double)NAN, 0.0);
-        finding_feature(finding, found ? ratio_of(found + 3, vec3d(0.6 * 2 / pi, 0.3 * 3 / pi, 0.9 * 4 / pi)) - 1.0
-                                       : (double)NAN, 0.0);
+        finding_feature(
+            finding, found ? ratio_of(found + 3, vec3d(0.6 * 2 / pi, 0.3 * 3 / pi, 0.9 * 4 / pi)) - 1.0 : (double)NAN,
+            0.0);
     }
 }
 
 // ---- cell by cell ----
 
 typedef enum { FLOOR, LEFT, RIGHT, BACK, FRONT, WALLS, OPEN = WALLS } Wall;
-static const char *const wall_names[] = {"the floor", "the left wall", "the right wall", "the back wall",
-                                         "the front wall", "the open"};
+static const char *const wall_names[] = {"the floor",     "the left wall",  "the right wall",
+                                         "the back wall", "the front wall", "the open"};
 static const double colours[WALLS + 1][3] = {{0.4, 0.5, 0.3}, {0, 0, 0},       {0.8, 0.8, 0.8},
                                              {0.7, 0.2, 0.1}, {0.1, 0.3, 0.7}, {0, 0, 0}};
 
@@ -143,8 +144,8 @@ typedef struct {
 static View view_of(const Point *point, int ring, int sector)
 {
     Frame frame = frame_about(vec3((float)point->normal.x, (float)point->normal.y, (float)point->normal.z));
-    const float axes[9] = {frame.tangent.x,   frame.tangent.y,   frame.tangent.z,   frame.bitangent.x, frame.bitangent.y,
-                           frame.bitangent.z, frame.normal.x,    frame.normal.y,    frame.normal.z};
+    const float axes[9] = {frame.tangent.x,   frame.tangent.y, frame.tangent.z, frame.bitangent.x, frame.bitangent.y,
+                           frame.bitangent.z, frame.normal.x,  frame.normal.y,  frame.normal.z};
     View view = {-1, 0.0, 0.0, false};
     for (int i = 0; i < FINE * FINE; i++) {
         double sin2 = (ring + (double)(i / FINE) / (FINE - 1)) / M;
@@ -212,7 +213,8 @@ static Wrong judge_seen(const Point *point, const float *seen, long number, Find
         if (view.wall == SEVERAL)
             continue;
         const double *colour = colours[view.wall];
-        Vec3d expected = vec3d(colour[0] * irradiance.x / pi, colour[1] * irradiance.y / pi, colour[2] * irradiance.z / pi);
+        Vec3d expected =
+            vec3d(colour[0] * irradiance.x / pi, colour[1] * irradiance.y / pi, colour[2] * irradiance.z / pi);
         if (vec3d_length(vec3d_along(vec3d_of(seen), expected, -1.0)) <= 2e-3 * vec3d_length(expected) + 1e-6)
             continue;
         wrong.radiances += 1.0 / (M * N);

@@ -3,11 +3,12 @@
 
 #include "render/gather/gather_trace.h"
 
-#include <stdio.h>
+#include <string.h>
 
 #define MOST      300
 #define UNTOUCHED -77.0f
 #define FLOATS    4 // did any serve, irradiance
+#define ABOVE_ONE "one estimate whose n·n_i comes out as 1.0000002"
 
 typedef struct {
     const char *what;
@@ -17,37 +18,21 @@ typedef struct {
     float accuracy;
 } Place;
 
-// Estimates of different brightness on a floor at y = 0, without a slope.
-static IrradianceEstimate *add(Place *place, Vec3 position, float reach, Colour irradiance)
-{
-    IrradianceEstimate *estimate = &place->estimates[place->count++];
-    *estimate =
-        (IrradianceEstimate){.position = position, .normal = vec3(0, 1, 0), .irradiance = irradiance, .reach = reach};
-    return estimate;
-}
-
-// The normal of the floor, turned by so many degrees.
-static Vec3 turned(double degrees)
-{
-    double angle = degrees * (double)PI / 180.0;
-    return vec3((float)sin(angle), (float)cos(angle), 0.0f);
-}
-
 static float drawn(uint64_t seed, int use, float low, float high)
 {
     return low + (high - low) * (float)((double)(hash_u64(seed ^ hash_u64((uint64_t)use)) >> 11) / 9007199254740992.0);
 }
 
+static Vec3d widened(Vec3 v)
+{
+    return vec3d((double)v.x, (double)v.y, (double)v.z);
+}
+
 static double error_of(const Place *place, const IrradianceEstimate *e)
 {
-    double turn = 0.0, distance2 = 0.0;
-    const double offset[3] = {(double)place->position.x - (double)e->position.x,
-                              (double)place->position.y - (double)e->position.y,
-                              (double)place->position.z - (double)e->position.z};
-    turn = 1.0 - ((double)place->normal.x * (double)e->normal.x + (double)place->normal.y * (double)e->normal.y +
-                  (double)place->normal.z * (double)e->normal.z);
-    distance2 = offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2];
-    return sqrt(distance2) / (double)e->reach + sqrt(fmax(0.0, turn));
+    double turn = 1.0 - vec3d_dot(widened(place->normal), widened(e->normal));
+    double distance = vec3d_length(vec3d_along(widened(place->position), widened(e->position), -1.0));
+    return distance / (double)e->reach + sqrt(fmax(0.0, turn));
 }
 
 // How high the place lies above the estimate's surface, in parts of the depth that is allowed: below −1 is too deep.
@@ -62,124 +47,130 @@ static double height_of(const Place *place, const IrradianceEstimate *e)
 static void add_any(Place *place, uint64_t seed, int count)
 {
     for (int use = 0; place->count < count; use += 32) {
-        float x = drawn(seed, use, -1, 1), y = drawn(seed, use + 1, -0.02f, 0.02f), z = drawn(seed, use + 2, -1, 1);
-        IrradianceEstimate *e = add(place, vec3(x, y, z), drawn(seed, use + 3, 0.5f, 8),
-                                    colour(drawn(seed, use + 4, 1, 3), drawn(seed, use + 5, 2, 6), drawn(seed, use + 6, 1, 5)));
+        IrradianceEstimate *e = &place->estimates[place->count++];
+        e->position = vec3(drawn(seed, use, -1, 1), drawn(seed, use + 1, -0.02f, 0.02f), drawn(seed, use + 2, -1, 1));
         e->normal = vec3_normalize(vec3(drawn(seed, use + 7, -0.15f, 0.15f), 1, drawn(seed, use + 8, -0.15f, 0.15f)));
+        e->irradiance = colour(drawn(seed, use + 4, 1, 3), drawn(seed, use + 5, 2, 6), drawn(seed, use + 6, 1, 5));
+        e->reach = drawn(seed, use + 3, 0.5f, 8);
         for (int c = 0; c < 3; c++) {
             e->translation[c] = vec3(drawn(seed, use + 10 + c, -1, 1), 0, drawn(seed, use + 13 + c, -1, 1));
             e->rotation[c] = vec3(drawn(seed, use + 16 + c, -1, 1), 0, drawn(seed, use + 19 + c, -1, 1));
         }
-        bool close = fabs(error_of(place, e) - (double)place->accuracy) < 1e-3 || fabs(height_of(place, e) + 1.0) < 0.02;
+        bool close =
+            fabs(error_of(place, e) - (double)place->accuracy) < 1e-3 || fabs(height_of(place, e) + 1.0) < 0.02;
         place->count -= close;
+    }
+}
+
+// An estimate on a floor at y = 0, beside the place.
+typedef struct {
+    float x, z, reach; // 0: there is none
+    int hue;           // red or blue
+    float degrees;     // its normal leans towards x
+    float slope;       // along x, of red; the other way of blue
+    float turning;     // with the normal, of green; the other way of blue
+} Beside;
+
+typedef struct {
+    const char *what;
+    float accuracy, height, degrees; // of the place and its normal
+    Beside estimates[2];
+} Setting;
+
+enum { red = 0, blue = 1 };
+
+#define BESIDE(x_, z_, reach_, hue_) .x = x_, .z = z_, .reach = reach_, .hue = hue_
+static const Setting settings[] = {
+    {"one estimate, at its own place", 0.25f, 0, 0, {{BESIDE(0, 0, 1, red)}}},
+    {"one estimate, halfway to where it ends to serve", 0.25f, 0, 0, {{BESIDE(0.125f, 0, 1, red)}}},
+    {"two estimates of equal reach, one three times as far as the other",
+     0.25f,
+     0,
+     0,
+     {{BESIDE(0.05f, 0, 1, red)}, {BESIDE(0, -0.15f, 1, blue)}}},
+    {"two estimates equally far, one with three times the reach",
+     0.25f,
+     0,
+     0,
+     {{BESIDE(0.15f, 0, 1, red)}, {BESIDE(0, -0.15f, 3, blue)}}},
+    {"two estimates equally far, one of them turned by 9°",
+     0.25f,
+     0,
+     0,
+     {{BESIDE(0.05f, 0, 1, red)}, {BESIDE(0, -0.05f, 1, blue), .degrees = 9}}},
+    {"one estimate, 0.3 of its reach away, at an accuracy of 0.25", 0.25f, 0, 0, {{BESIDE(0, 0.6f, 2, red)}}},
+    {"one estimate, turned by 20°, at an accuracy of 0.25", 0.25f, 0, 0, {{BESIDE(0.01f, 0, 1, red), .degrees = 20}}},
+    {ABOVE_ONE, 0.25f, 0, 0, {{BESIDE(0.05f, 0, 1, red)}}},
+    {"one estimate, the place 0.1 m below its surface, R = 1 m", 0.25f, -0.1f, 0, {{BESIDE(0, 0, 1, red)}}},
+    {"one estimate, the place 0.1 m above its surface, R = 1 m", 0.25f, 0.1f, 0, {{BESIDE(0, 0, 1, red)}}},
+    {"one estimate, the place 0.01 m below its surface, which is allowed for R = 1 m",
+     0.25f,
+     -0.01f,
+     0,
+     {{BESIDE(0, 0, 1, red)}}},
+    {"one estimate with a slope, 0.1 m away", 0.25f, 0, 0, {{BESIDE(-0.1f, 0, 1, red), .slope = 8}}},
+    {"one estimate that changes as its normal turns, by 5°", 0.25f, 0, 5, {{BESIDE(0, 0, 1, blue), .turning = 6}}},
+    {"two estimates, of which only the second serves",
+     0.25f,
+     0,
+     0,
+     {{BESIDE(0.6f, 0, 2, red)}, {BESIDE(0.1f, 0, 2, blue)}}},
+    {"no estimates at all", 0.25f, 0, 0, {{BESIDE(0, 0, 0, red)}}},
+    {"two estimates at an accuracy of 0.5, one 0.4 of its reach away",
+     0.5f,
+     0,
+     0,
+     {{BESIDE(0.4f, 0, 1, red)}, {BESIDE(0, -0.1f, 1, blue)}}},
+};
+#define SETTINGS (int)(sizeof settings / sizeof *settings)
+#define CROWDS   4 // and then many estimates all around
+
+static Vec3 leaning(float degrees)
+{
+    double angle = (double)degrees * (double)PI / 180.0;
+    return vec3((float)sin(angle), (float)cos(angle), 0.0f);
+}
+
+static void make_setting(const Setting *setting, Place *place)
+{
+    place->what = setting->what;
+    place->accuracy = setting->accuracy;
+    place->position.y = setting->height;
+    place->normal = leaning(setting->degrees);
+    if (strcmp(setting->what, ABOVE_ONE) == 0)
+        place->normal.y = 1.0000002f;
+    for (const Beside *b = setting->estimates; b < setting->estimates + 2 && b->reach > 0.0f; b++) {
+        IrradianceEstimate *e = &place->estimates[place->count++];
+        e->position = vec3(place->position.x + b->x, 0.0f, place->position.z + b->z);
+        e->normal = leaning(b->degrees);
+        e->irradiance = b->hue == blue ? colour(1, 2, 6) : colour(5, 1, 1);
+        e->reach = b->reach;
+        e->translation[0] = vec3(b->slope, 0, 0);
+        e->translation[2] = vec3(-0.2f * b->slope, 0, 0);
+        e->rotation[1] = vec3(0, 0, b->turning);
+        e->rotation[2] = vec3(0, 0, -b->turning);
     }
 }
 
 // The place of this number; false: there is none.
 static bool make_place(int number, uint64_t seed, Place *place)
 {
-    const Colour red = colour(5, 1, 1), blue = colour(1, 2, 6);
     *place = (Place){.normal = vec3(0, 1, 0), .accuracy = 0.25f};
-    float x = drawn(seed, 1000 + number, -2, 2), z = drawn(seed, 1100 + number, -2, 2);
-    place->position = vec3(x, 0, z);
-    switch (number) {
-    case 0:
-        place->what = "one estimate, at its own place";
-        add(place, place->position, 1, red);
-        return true;
-    case 1:
-        place->what = "one estimate, halfway to where it ends to serve";
-        add(place, vec3(x + 0.125f, 0, z), 1, red);
-        return true;
-    case 2:
-        place->what = "two estimates of equal reach, one three times as far as the other";
-        add(place, vec3(x + 0.05f, 0, z), 1, red);
-        add(place, vec3(x, 0, z - 0.15f), 1, blue);
-        return true;
-    case 3:
-        place->what = "two estimates equally far, one with three times the reach";
-        add(place, vec3(x + 0.15f, 0, z), 1, red);
-        add(place, vec3(x, 0, z - 0.15f), 3, blue);
-        return true;
-    case 4:
-        place->what = "two estimates equally far, one of them turned by 9°";
-        add(place, vec3(x + 0.05f, 0, z), 1, red);
-        add(place, vec3(x, 0, z - 0.05f), 1, blue)->normal = turned(9);
-        return true;
-    case 5:
-        place->what = "one estimate, 0.3 of its reach away, at an accuracy of 0.25";
-        add(place, vec3(x, 0, z + 0.6f), 2, red);
-        return true;
-    case 6:
-        place->what = "one estimate, turned by 20°, at an accuracy of 0.25";
-        add(place, vec3(x + 0.01f, 0, z), 1, red)->normal = turned(20);
-        return true;
-    case 7:
-        place->what = "one estimate whose n·n_i comes out as 1.0000002";
-        place->normal = vec3(0, 1.0000002f, 0);
-        add(place, vec3(x + 0.05f, 0, z), 1, red);
-        return true;
-    case 8:
-        place->what = "one estimate, the place 0.1 m below its surface, R = 1 m";
-        place->position.y = -0.1f;
-        add(place, vec3(x, 0, z), 1, red);
-        return true;
-    case 9:
-        place->what = "one estimate, the place 0.1 m above its surface, R = 1 m";
-        place->position.y = 0.1f;
-        add(place, vec3(x, 0, z), 1, red);
-        return true;
-    case 10:
-        place->what = "one estimate, the place 0.01 m below its surface, which is allowed for R = 1 m";
-        place->position.y = -0.01f;
-        add(place, vec3(x, 0, z), 1, red);
-        return true;
-    case 11: {
-        place->what = "one estimate with a slope, 0.1 m away";
-        IrradianceEstimate *e = add(place, vec3(x - 0.1f, 0, z), 1, colour(4, 4, 4));
-        e->translation[0] = vec3(8, 0, 0);
-        e->translation[2] = vec3(-8, 0, 3);
-        return true;
-    }
-    case 12: {
-        place->what = "one estimate that changes as its normal turns, by 5°";
-        IrradianceEstimate *e = add(place, vec3(x, 0, z), 1, colour(4, 4, 4));
-        place->normal = turned(5);
-        e->rotation[1] = vec3(0, 0, 6);
-        e->rotation[2] = vec3(0, 0, -6);
-        return true;
-    }
-    case 13:
-        place->what = "two estimates, of which only the second serves";
-        add(place, vec3(x + 0.6f, 0, z), 2, red);
-        add(place, vec3(x + 0.1f, 0, z), 2, blue);
-        return true;
-    case 14:
-        place->what = "no estimates at all";
-        return true;
-    case 15:
-        place->what = "two estimates at an accuracy of 0.5, one 0.4 of its reach away";
-        place->accuracy = 0.5f;
-        add(place, vec3(x + 0.4f, 0, z), 1, red);
-        add(place, vec3(x, 0, z - 0.1f), 1, blue);
-        return true;
-    case 16:
+    place->position = vec3(drawn(seed, 1000 + number, -2, 2), 0, drawn(seed, 1100 + number, -2, 2));
+    if (number < SETTINGS) {
+        make_setting(&settings[number], place);
+    } else if (number == SETTINGS) {
         place->what = "300 estimates all around";
         place->position = vec3(0.1f, 0, -0.2f);
         add_any(place, seed + 16, MOST);
-        return true;
-    case 17:
-    case 18:
-    case 19:
+    } else {
         place->what = "40 estimates all around, at an accuracy of 0.3";
         place->accuracy = 0.3f;
-        place->position = vec3(drawn(seed, 1200 + number, -0.5f, 0.5f), 0, drawn(seed, 1300 + number, -0.5f, 0.5f));
+        place->position = vec3_scale(place->position, 0.25f);
         place->normal = vec3_normalize(vec3(0.05f, 1, -0.03f));
         add_any(place, seed + (uint64_t)number, 40);
-        return true;
-    default:
-        return false;
     }
+    return number < SETTINGS + CROWDS;
 }
 
 static double *put(double *at, Vec3 v)
@@ -241,8 +232,9 @@ static void judge_none(const Place *place, const float *found, long number, Find
                      place->what, text_of_floats(found + 1));
     for (int c = 1; c < FLOATS; c++)
         if (found[c] != UNTOUCHED)
-            finding_fail(finding, number, "for %s: expected *irradiance to be left alone, since none serves there; "
-                                          "found %s in it",
+            finding_fail(finding, number,
+                         "for %s: expected *irradiance to be left alone, since none serves there; "
+                         "found %s in it",
                          place->what, text_of_floats(found + 1));
 }
 
@@ -263,7 +255,7 @@ static void judge_mean(const Results *results, Finding *finding)
                  vec3d_length(vec3d_along(vec3d_of(found + 1), expected, -1.0)) > 2e-3 * vec3d_length(expected))
             finding_fail(finding, i, "for %s: expected %s W/m², found %s", place.what, text_of(expected),
                          text_of_floats(found + 1));
-        float spread = i >= 16 ? 0.02f : 0.0f;
+        float spread = i >= SETTINGS ? 0.02f : 0.0f;
         finding_feature(finding, found ? (double)found[0] - (serving > 0) : (double)NAN, 0.0);
         finding_feature(finding, both ? (double)found[1] / expected.x - 1.0 : 0.0, (double)spread);
         finding_feature(finding, both ? (double)found[3] / expected.z - 1.0 : 0.0, (double)spread);

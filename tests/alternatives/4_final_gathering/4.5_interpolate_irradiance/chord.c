@@ -1,8 +1,8 @@
 // The turn by the chord between the normals: 1 − n·n_i = |n − n_i|²/2.
 #include "photonlab.h"
 
-bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal, float accuracy,
-                            Colour *irradiance)
+bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal,
+                            float accuracy, Colour *irradiance)
 {
     float weights = 0.0f;
     Colour sum = colour_grey(0.0f);

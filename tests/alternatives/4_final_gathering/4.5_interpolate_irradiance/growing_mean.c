@@ -1,8 +1,8 @@
 // A weighted mean that grows, backwards through the list.
 #include "photonlab.h"
 
-bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal, float accuracy,
-                            Colour *irradiance)
+bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal,
+                            float accuracy, Colour *irradiance)
 {
     Colour mean = colour_grey(0.0f);
     float weights = 0.0f;

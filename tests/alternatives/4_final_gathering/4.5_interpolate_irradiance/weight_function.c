@@ -12,8 +12,8 @@ static float weight_of(const IrradianceEstimate *estimate, Vec3 position, Vec3 n
     return error < accuracy ? 1.0f - error / accuracy : 0.0f;
 }
 
-bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal, float accuracy,
-                            Colour *irradiance)
+bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal,
+                            float accuracy, Colour *irradiance)
 {
     Colour sum = {0, 0, 0};
     float total = 0.0f;
