@@ -12,7 +12,7 @@ const PictureSet picture_sets[PICTURE_SETS] = {
     {"2_source", "photons-only", "tests/steps/scenes/picture_2.yaml", 40, 3000, 24, 4, "2.3,1.5", 8, "2.3"},
     {"2_phong", "photons-only", "tests/steps/scenes/picture_2.yaml", 40, 3000, 24, 4, "2.4,1.5", 8, "2.4"},
     {"3", "photons-only", "tests/steps/scenes/picture_3.yaml", 40, 3500, 30, 8, "2.4,3.4", 8, "3.1"},
-    {"4", "gather", "tests/steps/scenes/picture_4.yaml", 24, 2000, 30, 6, "2.4,3.4", 4, "4.3"},
+    {"4", "gather", "tests/steps/scenes/picture_4.yaml", 24, 2000, 30, 6, "2.4,3.4", 8, "4.3"},
 };
 enum { SET_1, SET_2_SOURCE, SET_2_PHONG, SET_3, SET_4 };
 
