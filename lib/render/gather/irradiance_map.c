@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-#define ESTIMATES_A_CELL 4.0f // on a flat surface, on average
+#define ESTIMATES_A_CELL 8.0f // on a flat surface, on average
 #define FACINGS         6    // along ±x, ±y, ±z, whichever is nearest
 
 // Keys apart from what they lead to: a gather ray ends anywhere, and keys alone fit a processor's cache.
@@ -15,8 +15,7 @@ struct IrradianceMap {
     LocalIrradiance *cells; // means, while the map is built: sums
     uint32_t *counts;       // of estimates in each
     size_t mask;            // slots − 1, a power of two less one
-    float size;             // of a cell, m; 0: no cells, and the same everywhere
-    LocalIrradiance everywhere;
+    float size;             // of a cell, m
 };
 
 typedef struct {
@@ -138,7 +137,7 @@ static IrradianceMap *map_create(size_t slots, float size)
     if (!map)
         return NULL;
     *map = (IrradianceMap){calloc(slots, sizeof *map->keys), calloc(slots, sizeof *map->cells),
-                           calloc(slots, sizeof *map->counts), slots - 1, size, {{0, 0, 0}, 0}};
+                           calloc(slots, sizeof *map->counts), slots - 1, size};
     if (map->keys && map->cells && map->counts)
         return map;
     irradiance_map_free(map);
@@ -166,11 +165,15 @@ IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons
     return map;
 }
 
+// A cell for each facing, and no end to it.
 IrradianceMap *irradiance_map_uniform(Colour irradiance)
 {
-    IrradianceMap *map = map_create(1, 0.0f);
-    if (map)
-        map->everywhere.irradiance = irradiance;
+    IrradianceMap *map = map_create(64, INFINITY);
+    for (int facing = 0; map && facing < 6; facing++) {
+        size_t slot = slot_of(map, key_of((Place){0, 0, 0}, facing));
+        map->keys[slot] = key_of((Place){0, 0, 0}, facing);
+        map->cells[slot].irradiance = irradiance;
+    }
     return map;
 }
 
@@ -209,10 +212,6 @@ static bool find_around(const IrradianceMap *map, Place place, int facing, Local
 
 bool irradiance_map_find(const IrradianceMap *map, Vec3 position, Vec3 normal, LocalIrradiance *found)
 {
-    if (map->size == 0.0f) {
-        *found = map->everywhere;
-        return true;
-    }
     Place place = place_of(map, position);
     int facing = facing_of(normal);
     size_t slot = slot_of(map, key_of(place, facing));
