@@ -29,6 +29,8 @@ scenes_of() {
     3.3) echo picture_3 prism box_glass ;;
     3.5) echo picture_3 prism box_glass ;;
     3.4) echo picture_3 prism box_glass picture_1 ;;
+    4.[123]) echo picture_4 box_diffuse ;;
+    4.*) echo picture_4 box_glossy ;;
     *) echo box_glass box_dispersion ;;
     esac
 }
@@ -42,9 +44,9 @@ steps_of() {
     esac
 }
 
-# What a right picture is called: that of 2.3 is another than that of 2.4, all else gives the same.
+# What a right picture is called: that of 2.3 is another than that of 2.4, and stage 4 gathers; all else gives the same.
 right_of() {
-    case $1 in 2.3) echo "$2_2.3" ;; *) echo "$2" ;; esac
+    case $1 in 2.3) echo "$2_2.3" ;; 4.*) echo "$2_gathered" ;; *) echo "$2" ;; esac
 }
 
 # render SCENE STEP fine|coarse SEED OUT [CODE]
@@ -62,8 +64,14 @@ render() {
     picture_3) light="--photons 200000 --k 70" ;;
     *) light="--photons 150000 --k 100" ;;
     esac
+    integrator=photons-only
+    # How far an estimate reaches hangs on the size of a pixel: not too coarse.
+    case $2:$3 in
+    4.*:coarse) integrator=gather size=32x32 samples=16 light="--photons 60000 --k 60" ;;
+    4.*) integrator=gather light="--photons 60000 --k 60" ;;
+    esac
     # shellcheck disable=SC2086 # flags are words
-    "$BUILD/photonlab" render "$file" --integrator photons-only --steps "$(steps_of "$2")" --size $size --samples $samples \
+    "$BUILD/photonlab" render "$file" --integrator $integrator --steps "$(steps_of "$2")" --size $size --samples $samples \
         $light --depth 12 --seed "$4" --threads 1 --quiet -o "$5" ${6:+--code "$6"}
 }
 

@@ -1,6 +1,6 @@
 // Indirect light along a line on the back wall of scenes/box_diffuse.yaml: looked up in the map at once, and by final
 // gathering with N rays. Reference: many rays, over a map of ten times the photons.
-//   further_gather SCENE DATA NUMBERS
+//   4_line SCENE DATA NUMBERS
 #include "photonlab.h"
 
 #include <stdio.h>
@@ -18,7 +18,7 @@ typedef struct {
 
 static void fail(const char *message)
 {
-    fprintf(stderr, "further_gather: %s\n", message);
+    fprintf(stderr, "4_line: %s\n", message);
     exit(1);
 }
 
@@ -57,7 +57,7 @@ int main(int count, char **arguments)
 {
     Error error = {""};
     if (count != 4)
-        fail("usage: further_gather SCENE DATA NUMBERS");
+        fail("usage: 4_line SCENE DATA NUMBERS");
     if (!steps_load(NULL, &error))
         fail(error.message);
     Scene *scene = scene_load(arguments[1], &error);

@@ -1,7 +1,7 @@
 # Indirect light along a line on the back wall: the map looked up at once, and by final gathering.
 set terminal svg size 640,520 dynamic font "sans-serif,14" background "white"
-set output system('printf %s "$FIGURES"') . "/further_gather.svg"
-data = system('printf %s "$BUILD"') . "/figures/further_gather.dat"
+set output system('printf %s "$FIGURES"') . "/4_line.svg"
+data = system('printf %s "$BUILD"') . "/figures/4_line.dat"
 set multiplot layout 2,1
 set xrange [-0.9:0.9]
 set yrange [0:0.1]
