@@ -1,5 +1,5 @@
 // The low-frequency error of pictures: 4_blocks REFERENCE OUT.png NUMBERS PICTURE …
-// A picture and its reference, which may be finer, are averaged over 16 × 16 equal squares; OUT.png shows, side by side, by
+// A picture and its reference, which may be finer, are averaged over 32 × 32 equal squares; OUT.png shows, side by side, by
 // how much each picture's squares are off: red too bright, blue too dark, full colour at 10 %. NUMBERS: for picture i,
 // `low_i` the mean of (x−r)²/(r²+0.01) over squares and channels, `percent_i` its root, `all_i` the same error of single
 // pixels, `gain` that of the first picture over that of the second.
@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { SQUARES = 16, ZOOM = 14, GAP = 8, MOST = 4 };
+enum { SQUARES = 32, ZOOM = 8, GAP = 8, MOST = 4 };
 
 static void fail(const char *message)
 {

@@ -36,7 +36,7 @@ int main(int count, char **names)
         double harmonic = (double)steps.irradiance_reach(&seen, 0.0f, INFINITY), mean = sum / (GATHER_RINGS * GATHER_SECTORS);
         fprintf(data, "%.2f %.4f %.4f %.4f\n", 0.01 * i, harmonic, mean, shortest);
         if (i == 2 || i == 10 || i == 100)
-            fprintf(text, "harmonic_%d %.4f\nmean_%d %.4f\nshortest_%d %.4f\n", i, harmonic, i, mean, i, shortest);
+            fprintf(text, "harmonic_cm_%d %.2f\nmean_%d %.3f\nshortest_cm_%d %.2f\n", i, 100.0 * harmonic, i, mean, i, 100.0 * shortest);
     }
     return fclose(data) == 0 && fclose(text) == 0 ? 0 : 1;
 }

@@ -1,8 +1,7 @@
 // The gathered picture, and what it would be without one of its parts:
 //   4_variants SCENE PHOTONS SIZE VARIANT OUT [NUMBERS]
-// VARIANT: right; dots (where the estimates lie, over the picture); once (no second gather ray near corners);
-// unbounded (extrapolated as far as the line goes). NUMBERS gets the count of the estimates, and the brightest channel of
-// all pixels.
+// VARIANT: right; dots (where the estimates lie, over the picture); once (no second gather ray near corners; for rooms that
+// are matt throughout). NUMBERS gets the count of the estimates.
 #include "render/gather/final_gather.h"
 #include "photonlab.h"
 
@@ -35,29 +34,6 @@ static Colour bring_once(GatherTrace *trace, Ray ray, Rng *rng)
     return colour_scale(colour_mul(gather_albedo(trace, &ray, &hit), local.irradiance), 1.0f / PI);
 }
 
-// Step 4.5 without the bound of irradiance_extrapolate.
-static bool interpolate_unbounded(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal,
-                                  float accuracy, Colour *irradiance)
-{
-    float sums[3] = {0.0f}, weights = 0.0f;
-    for (size_t i = 0; i < count; i++) {
-        Vec3 offset = vec3_sub(position, near[i]->position);
-        float error = vec3_length(offset) / near[i]->reach + sqrtf(fmaxf(0.0f, 1.0f - vec3_dot(normal, near[i]->normal)));
-        float height = 0.5f * vec3_dot(offset, vec3_add(normal, near[i]->normal));
-        if (error >= accuracy || height < -0.05f * accuracy * near[i]->reach)
-            continue;
-        float weight = 1.0f - error / accuracy;
-        Vec3 turn = vec3_cross(near[i]->normal, normal);
-        for (int c = 0; c < 3; c++)
-            sums[c] += weight * (colour_channel(near[i]->irradiance, c) + vec3_dot(turn, near[i]->rotation[c]) +
-                                 vec3_dot(offset, near[i]->translation[c]));
-        weights += weight;
-    }
-    if (weights > 0.0f)
-        *irradiance = colour(sums[0] / weights, sums[1] / weights, sums[2] / weights);
-    return weights > 0.0f;
-}
-
 static void draw_dots(Image *image, const Camera *camera)
 {
     for (int i = 0; i < image->width * image->height; i++)
@@ -74,7 +50,7 @@ static void draw_dots(Image *image, const Camera *camera)
 
 int main(int count, char **names)
 {
-    Error error = {"usage: 4_variants SCENE PHOTONS SIZE right|dots|once|unbounded OUT [NUMBERS]"};
+    Error error = {"usage: 4_variants SCENE PHOTONS SIZE right|dots|once OUT [NUMBERS]"};
     Scene *scene = count >= 6 && steps_load(NULL, &error) ? scene_load(names[1], &error) : NULL;
     if (!scene) {
         fprintf(stderr, "%s\n", error.message);
@@ -85,8 +61,6 @@ int main(int count, char **names)
         steps.gather_hemisphere = note_place;
     else if (strcmp(names[4], "once") == 0)
         steps.gather_radiance = bring_once;
-    else if (strcmp(names[4], "unbounded") == 0)
-        steps.interpolate_irradiance = interpolate_unbounded;
     RenderOptions options = {.integrator = INTEGRATOR_GATHER, .settings = scene->settings, .seed = 1, .threads = 1,
                              .glass_sides = 2, .reuse = REUSE_DEFAULT};
     options.settings.photons = atol(names[2]);
@@ -96,16 +70,13 @@ int main(int count, char **names)
     Image image;
     RenderStats stats;
     bool ok = render_image(scene, &options, &image, &stats, &error);
-    float brightest = 0.0f;
-    for (int i = 0; ok && i < image.width * image.height; i++)
-        brightest = fmaxf(brightest, colour_max(image.pixels[i]));
     if (ok && place_count > 0)
         draw_dots(&image, &scene->camera);
     ok = ok && image_write(&image, names[5], &error);
     FILE *numbers = count > 6 ? fopen(names[6], "w") : NULL;
     if (numbers) {
-        fprintf(numbers, "estimates %zu\npixels_an_estimate %.1f\nbrightest %.3f\n", stats.estimates,
-                (double)image.width * image.height / (double)stats.estimates, (double)brightest);
+        fprintf(numbers, "estimates %zu\npixels_an_estimate %.1f\n", stats.estimates,
+                (double)image.width * image.height / (double)stats.estimates);
         fclose(numbers);
     }
     if (!ok)
