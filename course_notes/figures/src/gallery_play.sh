@@ -91,6 +91,8 @@ play_right() {
     step=${1%%:*} scene=${1#*:}
     right=$work/right_$(right_of "$step" "$scene")
     render "$scene" "$step" fine 1 "$right.png"
+    # Gathered at few pixels, some seeds have a bright speck. Where that of the mistakes has one, each of them has it.
+    case $step in 4.*) SEEDS="1 $SEEDS" ;; esac
     for seed in $SEEDS; do
         render "$scene" "$step" coarse "$seed" "$right.pfm"
         values "$right.pfm"
