@@ -1,7 +1,7 @@
 // Interpolation under a ceiling that is bright to the left of x = 0 and black to its right, 1 m above the floor:
 //   4_slope OUT.dat OUT.txt
 // OUT.dat: x, irradiance by the formula, interpolated with gradients, without; then the places of the estimates.
-#include "render/gather/final_gather.h"
+#include "render/final_gather.h"
 #include "photonlab.h"
 
 #include <stdio.h>

@@ -2,7 +2,7 @@
 //   4_variants SCENE PHOTONS SIZE VARIANT OUT [NUMBERS]
 // VARIANT: right; dots (where the estimates lie, over the picture); once (no second gather ray near corners; for rooms that
 // are matt throughout). NUMBERS gets the count of the estimates.
-#include "render/gather/final_gather.h"
+#include "render/final_gather.h"
 #include "photonlab.h"
 
 #include <stdio.h>

@@ -29,7 +29,8 @@ scenes_of() {
     3.3) echo picture_3 prism box_glass ;;
     3.5) echo picture_3 prism box_glass ;;
     3.4) echo picture_3 prism box_glass picture_1 ;;
-    4.[123]) echo picture_4 box_diffuse ;;
+    4.2) echo picture_4 box_glass box_diffuse ;;
+    4.[13]) echo picture_4 box_diffuse ;;
     4.*) echo picture_4 box_glossy ;;
     *) echo box_glass box_dispersion ;;
     esac
