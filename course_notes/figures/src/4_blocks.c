@@ -71,8 +71,8 @@ int main(int count, char **names)
             fail(error.message);
         Image fine = shrink(&reference, picture.width), squares = shrink(&picture, SQUARES);
         low[i] = error_of(&squares, &truth);
-        fprintf(numbers, "low_%d %.3g\npercent_%d %.2f\nall_%d %.3g\n", i + 1, low[i], i + 1, 100.0 * sqrt(low[i]), i + 1,
-                error_of(&picture, &fine));
+        fprintf(numbers, "low_%d %.3g\npercent_%d %.2f\nall_%d %.3g\n", i + 1, low[i], i + 1, 100.0 * sqrt(low[i]),
+                i + 1, error_of(&picture, &fine));
         draw(&all, i * (SQUARES * ZOOM + GAP), &squares, &truth);
     }
     if (parts > 1)

@@ -33,10 +33,12 @@ int main(int count, char **names)
                 sum += (double)r;
                 shortest = fmin(shortest, (double)r);
             }
-        double harmonic = (double)steps.irradiance_reach(&seen, 0.0f, INFINITY), mean = sum / (GATHER_RINGS * GATHER_SECTORS);
+        double harmonic = (double)steps.irradiance_reach(&seen, 0.0f, INFINITY),
+               mean = sum / (GATHER_RINGS * GATHER_SECTORS);
         fprintf(data, "%.2f %.4f %.4f %.4f\n", 0.01 * i, harmonic, mean, shortest);
         if (i == 2 || i == 10 || i == 100)
-            fprintf(text, "harmonic_cm_%d %.2f\nmean_%d %.3f\nshortest_cm_%d %.2f\n", i, 100.0 * harmonic, i, mean, i, 100.0 * shortest);
+            fprintf(text, "harmonic_cm_%d %.2f\nmean_%d %.3f\nshortest_cm_%d %.2f\n", i, 100.0 * harmonic, i, mean, i,
+                    100.0 * shortest);
     }
     return fclose(data) == 0 && fclose(text) == 0 ? 0 : 1;
 }

@@ -73,8 +73,10 @@ int main(int count, char **names)
     for (int i = 0; i < ESTIMATES; i++)
         fprintf(data, "%.3f %.5f\n", (double)estimates[0][i].position.x, (double)estimates[0][i].irradiance.g);
     // By the formula dE/dx = −π/2·(1 + x²)^(−3/2): −π/2 in the middle.
-    fprintf(text, "slope_middle %.3f\nslope_middle_formula %.3f\n", (double)estimates[0][ESTIMATES / 2].translation[1].x, -M_PI / 2.0);
-    fprintf(text, "rms_percent_with %.2f\nrms_percent_without %.2f\n", 100.0 * sqrt(squares[0]) / M_PI, 100.0 * sqrt(squares[1]) / M_PI);
+    fprintf(text, "slope_middle %.3f\nslope_middle_formula %.3f\n",
+            (double)estimates[0][ESTIMATES / 2].translation[1].x, -M_PI / 2.0);
+    fprintf(text, "rms_percent_with %.2f\nrms_percent_without %.2f\n", 100.0 * sqrt(squares[0]) / M_PI,
+            100.0 * sqrt(squares[1]) / M_PI);
     fprintf(text, "gain %.1f\n", sqrt(squares[1] / squares[0]));
     free(eye);
     return fclose(data) == 0 && fclose(text) == 0 ? 0 : 1;

@@ -61,8 +61,12 @@ int main(int count, char **names)
         steps.gather_hemisphere = note_place;
     else if (strcmp(names[4], "once") == 0)
         steps.gather_radiance = bring_once;
-    RenderOptions options = {.integrator = INTEGRATOR_GATHER, .settings = scene->settings, .seed = 1, .threads = 1,
-                             .glass_sides = 2, .reuse = REUSE_DEFAULT};
+    RenderOptions options = {.integrator = INTEGRATOR_GATHER,
+                             .settings = scene->settings,
+                             .seed = 1,
+                             .threads = 1,
+                             .glass_sides = 2,
+                             .reuse = REUSE_DEFAULT};
     options.settings.photons = atol(names[2]);
     options.settings.width = options.settings.height = atoi(names[3]);
     options.settings.k = 60;
