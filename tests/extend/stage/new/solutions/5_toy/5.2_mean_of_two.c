@@ -1,4 +1,4 @@
-// Step 4.2: the mean of two values. Contract: lib/steps/4_toy.h
+// Step 5.2: the mean of two values. Contract: lib/steps/5_toy.h
 #include "photonlab.h"
 
 float mean_of_two(float a, float b)

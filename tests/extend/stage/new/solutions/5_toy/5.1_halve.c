@@ -1,4 +1,4 @@
-// Step 4.1: half of a value. Contract: lib/steps/4_toy.h
+// Step 5.1: half of a value. Contract: lib/steps/5_toy.h
 #include "photonlab.h"
 
 float halve(float value)
