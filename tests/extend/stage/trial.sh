@@ -1,9 +1,9 @@
 # A stage with two steps, of which the second calls the first.
 most=7
 added lib/steps/5_toy.h "5_toy.h"
-added lib/steps/hints/4.1_halve.txt "4.1_halve"
-added solutions/5_toy/4.1_halve.c "4.1_halve"
-added tests/steps/5_toy/4.1_halve.c "halve_checks"
+added lib/steps/hints/5.1_halve.txt "5.1_halve"
+added solutions/5_toy/5.1_halve.c "5.1_halve"
+added tests/steps/5_toy/5.1_halve.c "halve_checks"
 added exercises/5_toy/README.md "exercises/5_toy/README.md"
 added course_notes/5_toy.md "5_toy.html#halving is nowhere"
 place lib/steps/steps.def '#undef FOLDER' '#define FOLDER "5_toy"
