@@ -108,7 +108,7 @@ pictures() {
     picture box_glass "to POV-Ray's error (aim)" 4.2e-4 1 --photons 6000000 --k 1000 --samples 32
     echo "The same, gathered: in 0.4 of its time"
     picture box_diffuse "gathered, to POV-Ray's error" 2.6e-4 0.4 --integrator gather --photons 300000 --k 60 --samples 8
-    picture box_glass "gathered, to POV-Ray's error" 4.2e-4 0.4 --integrator gather --photons 400000 --k 60 --samples 12
+    picture box_glass "gathered, to POV-Ray's error" 4.2e-4 0.4 --integrator gather --photons 400000 --k 60 --samples 16
     echo
 }
 
