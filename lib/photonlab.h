@@ -42,16 +42,16 @@
 #include "scene/light.h"           // Light, light_sample
 #include "scene/material.h"        // Material, material_brdf, material_albedo
 #include "scene/scene.h"           // Scene, scene_load, scene_intersect, scene_occluded
-#include "scene/bvh/shape.h"           // Flat, Sphere
+#include "scene/bvh/shape.h"       // Flat, Sphere
 
-#include "photons/gather.h"      // Gather, gather_near
-#include "photons/photon.h"      // Photon, StoredPhoton
-#include "photons/photon_map.h"  // PhotonMap, photon_map_build, photon_map_nearest
+#include "photons/gather.h"           // Gather, gather_near
+#include "photons/photon.h"           // Photon, StoredPhoton
+#include "photons/photon_map.h"       // PhotonMap, photon_map_build, photon_map_nearest
 #include "photons/pass/photon_pass.h" // PhotonPass, photon_pass_run, Ledger
 #include "photons/pass/trace.h"       // photon_fly, photon_store
 
 #include "render/gather/gather_trace.h" // gather_send, gather_meet, gather_irradiance
-#include "render/render.h" // RenderOptions, render_image
+#include "render/render.h"              // RenderOptions, render_image
 
 #include "image/difference.h" // image_difference
 #include "image/image.h"      // Image, image_read, image_write

@@ -25,8 +25,8 @@ typedef struct {
     const PhotonMap *rest;    // PHOTONS: indirect; PHOTONS_ONLY: all
     Gather gather;
     RadianceCache caustic_cache, rest_cache; // estimates made in this tile
-    FinalGather *final;         // GATHER only
-    IrradianceCache *own_cache; // GATHER: estimates made in this tile
+    FinalGather *final;                      // GATHER only
+    IrradianceCache *own_cache;              // GATHER: estimates made in this tile
     Remembered memory[EYE_MEMORY];
     unsigned remembered;
     Rng rng;

@@ -73,7 +73,7 @@ typedef struct {
     int width, height;
     int (*points)[2]; // pixels that come next
     size_t count;
-    bool *open;       // of each: no estimate serves there
+    bool *open; // of each: no estimate serves there
 } Grid;
 
 // Those on a grid of this spacing which were on none before.
@@ -171,7 +171,8 @@ bool final_gather_fill(Eye *const eyes[], int threads, int width, int height)
         keep_open(eyes, threads, &grid, kept);
         for (size_t first = 0; first < grid.count; first += BATCH)
             ok = fill_batch(eyes, threads, &grid, kept + first,
-                            grid.count - first < BATCH ? grid.count - first : BATCH) && ok;
+                            grid.count - first < BATCH ? grid.count - first : BATCH) &&
+                 ok;
     }
     free(grid.points);
     free(grid.open);

@@ -79,7 +79,8 @@ bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, Ren
     photon_pass_free(&pass);
     if (!maps->caustic || !(maps->rest || gathers))
         return false;
-    stats->map_bytes = photon_map_bytes(maps->caustic) + (gathers ? irradiance_map_bytes(maps->ends) : photon_map_bytes(maps->rest));
+    stats->map_bytes =
+        photon_map_bytes(maps->caustic) + (gathers ? irradiance_map_bytes(maps->ends) : photon_map_bytes(maps->rest));
     return true;
 }
 

@@ -24,7 +24,7 @@ typedef struct {
     size_t photons_stored;
     uint64_t photon_rays; // traced by photons
     UnsoundPaths unsound;
-    uint64_t eye_rays;    // camera, shadow and bounce rays
+    uint64_t eye_rays;                                 // camera, shadow and bounce rays
     double photon_seconds, build_seconds, eye_seconds; // eye_seconds: all that follows the maps,
     double gather_seconds;                             // of which this went into estimates (GATHER)
     size_t estimates;                                  // of irradiance (GATHER)

@@ -121,7 +121,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"threads", FLAG_INT, &a->threads, 0, MOST_THREADS},
     };
     return command_line_parse(
-        &(CommandLine){"photonlab bench", help, "one scene file at most", flags, FLAG_COUNT(flags), 0, 1}, count,
+        &(CommandLine){"bench_photons", help, "one scene file at most", flags, FLAG_COUNT(flags), 0, 1}, count,
         arguments, &a->scene);
 }
 

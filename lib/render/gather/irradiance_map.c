@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #define ESTIMATES_A_CELL 8.0f // on a flat surface, on average
-#define FACINGS         6    // along ±x, ±y, ±z, whichever is nearest
+#define FACINGS          6    // along ±x, ±y, ±z, whichever is nearest
 
 // Keys apart from what they lead to: a gather ray ends anywhere, and keys alone fit a processor's cache.
 struct IrradianceMap {
@@ -85,7 +85,8 @@ static Site estimate_site(const Scene *scene, const PhotonMap *photons, const St
     return site;
 }
 
-static bool estimate_sites(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places, size_t k, Site *sites, size_t count)
+static bool estimate_sites(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places, size_t k,
+                           Site *sites, size_t count)
 {
     Vec3 extent = vec3_sub(bvh_bounds(scene->bvh).high, bvh_bounds(scene->bvh).low);
     float step = 1e-4f * vec3_length(extent);
@@ -144,8 +145,8 @@ static IrradianceMap *map_create(size_t slots, float size)
     return NULL;
 }
 
-IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places, size_t count,
-                                    size_t k, Error *error)
+IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places,
+                                    size_t count, size_t k, Error *error)
 {
     size_t slots = 64;
     while (slots <= count)

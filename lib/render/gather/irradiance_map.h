@@ -18,8 +18,8 @@ typedef struct {
 // At `count` places, each that of a photon, from a map of photons that these are not in: direct ones and caustics
 // included, `k` to an estimate (step 1.6 on a white matt surface, E = πL). The same whatever the number of threads. NULL
 // when memory is short.
-IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places, size_t count,
-                                    size_t k, Error *error);
+IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places,
+                                    size_t count, size_t k, Error *error);
 
 // The same irradiance everywhere, with no place too near a corner for it: light as it is in a furnace.
 IrradianceMap *irradiance_map_uniform(Colour irradiance);

@@ -42,8 +42,8 @@ size_t plan_call_in(Plan *plan, const char *scene, long count, const double *arg
 {
     size_t size = 64 + strlen(scene) + 32 * argument_count;
     char *line = must(malloc(size));
-    int length = snprintf(line, size, "call %ld %llu%s%s", count, (unsigned long long)next_seed(plan), *scene ? " " : "",
-                          scene);
+    int length =
+        snprintf(line, size, "call %ld %llu%s%s", count, (unsigned long long)next_seed(plan), *scene ? " " : "", scene);
     for (size_t i = 0; i < argument_count; i++)
         length += snprintf(line + length, size - (size_t)length, " %.9g", arguments[i]);
     return plan_line(plan, line);
@@ -63,8 +63,8 @@ size_t plan_picture(Plan *plan, const char *integrator, const char *scene, int s
 {
     size_t size = strlen(integrator) + strlen(scene) + strlen(steps_text) + 128;
     char *line = must(malloc(size));
-    snprintf(line, size, "picture %s %s %d %d %ld %d %d %s %llu", integrator, scene, side, side, photons, k, depth, steps_text,
-             (unsigned long long)next_seed(plan));
+    snprintf(line, size, "picture %s %s %d %d %ld %d %d %s %llu", integrator, scene, side, side, photons, k, depth,
+             steps_text, (unsigned long long)next_seed(plan));
     return plan_line(plan, line);
 }
 

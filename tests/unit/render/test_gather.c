@@ -4,17 +4,18 @@
 #include "render/final_gather.h"
 
 // A closed room of one matt surface; above it another of two colours in halves, red to the left and blue to the right.
-#define LIGHT "lights:\n  - {type: point, position: [0, 0.9, 0], power: [1, 1, 1]}\n"
+#define LIGHT     "lights:\n  - {type: point, position: [0, 0.9, 0], power: [1, 1, 1]}\n"
 #define ROOM_HEAD "camera: {position: [0, 0.5, 0], target: [0, 0, 0.001], up: [0, 0, 1], vertical_fov: 40}\n" LIGHT
 #define GREY_ROOM                                                                                                      \
     ROOM_HEAD "materials:\n  - {name: grey, type: diffuse, reflectance: [0.5, 0.4, 0.3]}\n"                            \
               "shapes:\n  - {type: box, low: [-1, 0, -1], high: [1, 2, 1], material: grey}\n"
-#define HALVES                                                                                                         \
-    ROOM_HEAD "materials:\n  - {name: white, type: diffuse, reflectance: [1, 1, 1]}\n"                                 \
-              "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"                                             \
-              "shapes:\n  - {type: rectangle, corner: [-9, 1, -9], edge_u: [9, 0, 0], edge_v: [0, 0, 18], material: black}\n" \
-              "  - {type: rectangle, corner: [0, 1, -9], edge_u: [9, 0, 0], edge_v: [0, 0, 18], material: white}\n"      \
-              "  - {type: rectangle, corner: [-9, 0, -9], edge_u: [0, 0, 18], edge_v: [18, 0, 0], material: black}\n"
+#define HALVES                                                                                                          \
+    ROOM_HEAD                                                                                                           \
+        "materials:\n  - {name: white, type: diffuse, reflectance: [1, 1, 1]}\n"                                        \
+        "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"                                                    \
+        "shapes:\n  - {type: rectangle, corner: [-9, 1, -9], edge_u: [9, 0, 0], edge_v: [0, 0, 18], material: black}\n" \
+        "  - {type: rectangle, corner: [0, 1, -9], edge_u: [9, 0, 0], edge_v: [0, 0, 18], material: white}\n"           \
+        "  - {type: rectangle, corner: [-9, 0, -9], edge_u: [0, 0, 18], edge_v: [18, 0, 0], material: black}\n"
 
 typedef struct {
     Scene *scene;
