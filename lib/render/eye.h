@@ -32,6 +32,7 @@ typedef struct {
     Rng rng;
     Sampler sampler;
     uint64_t rays;
+    char apart[128]; // eyes lie side by side: what one thread counts must not share a cache line with another's
 } Eye;
 
 // Radiance that comes back along the ray, W/(m²·sr), with the photon maps.
