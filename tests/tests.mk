@@ -85,7 +85,7 @@ check-reports: $(WRITE_REPORTS) $(BUILD)/tests/print_sample
 	@bash tests/judge/report_test.sh $^
 
 ##check beside check-judge  what a student meets at the terminal
-check-judge: judge
+check-judge: judge $(BUILD)/calibrate
 	@bash tests/judge/judge_test.sh
 
 ##check alone check-sandbox  what the sandbox keeps in, keeps out and reports

@@ -41,15 +41,6 @@ GroupRun group_run(const Arguments *a, const PictureSet *set, uint64_t purpose, 
                       .jobs = a->jobs};
 }
 
-void *must(void *memory)
-{
-    if (!memory) {
-        fprintf(stderr, "calibrate: not enough memory\n");
-        exit(1);
-    }
-    return memory;
-}
-
 static int compare(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
@@ -73,7 +64,7 @@ static int parse(int count, char **arguments, Arguments *a, const char **sets)
         {"object", FLAG_TEXT, &a->object, 0, 0},     {"name", FLAG_TEXT, &a->name, 0, 0},
     };
     int wrong = command_line_parse(
-        &(CommandLine){"calibrate", help, "at most five sets", flags, FLAG_COUNT(flags), 0, PICTURE_SETS}, count,
+        &(CommandLine){"calibrate", help, "names of sets alone", flags, FLAG_COUNT(flags), 0, PICTURE_SETS}, count,
         arguments, sets);
     if (!wrong && ((!a->step && a->object) || (a->step && !step_find(a->step))))
         return report_usage("calibrate", "--object with a --step that there is");
@@ -104,6 +95,6 @@ int main(int count, char **arguments)
         done++;
     }
     if (done == 0)
-        fprintf(stderr, "calibrate: no such set; they are 1, 2_source, 2_phong, 3, 4\n");
+        fprintf(stderr, "calibrate: no such set; tests/judge/checks/pictures.def lists them\n");
     return done == 0 ? 2 : ok ? 0 : 1;
 }

@@ -16,9 +16,6 @@ enum { PURPOSE_SPREAD, PURPOSE_THRESHOLDS, PURPOSE_MEASURE };
 // Plays a->object, or the solution.
 GroupRun group_run(const Arguments *a, const PictureSet *set, uint64_t purpose, long groups);
 
-// Memory, or the end of the program.
-void *must(void *memory);
-
 void sort(double *values, long count);
 
 // Writes a set's files and says what it found. False, having said why, when that fails.

@@ -8,8 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void (*const judges[PICTURE_SETS])(const Results *, Finding *) = {
-    judge_picture_1_v, judge_picture_2_source, judge_picture_2_phong, judge_picture_3, judge_picture_4};
+#define PICTURE_SET(set, ...) {judge_picture_##set, judge_picture_and_v_##set},
+static void (*const judges[PICTURE_SETS][2])(const Results *, Finding *) = {
+#include "judge/checks/pictures.def"
+};
 
 typedef struct {
     void (*judge)(const Results *, Finding *);
@@ -47,7 +49,7 @@ static void print_share(const char *what, long hits, long trials)
 
 bool measure_set(const Arguments *a, const PictureSet *set)
 {
-    Measure m = {.judge = judges[set - picture_sets],
+    Measure m = {.judge = judges[set - picture_sets][set->V_counts],
                  .T = must(calloc((size_t)a->measure, sizeof(double))),
                  .V = must(calloc((size_t)a->measure, sizeof(double)))};
     GroupRun run = group_run(a, set, PURPOSE_MEASURE, a->measure);

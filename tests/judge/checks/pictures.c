@@ -7,14 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define PICTURE_SET(set, title, ...) {#set, __VA_ARGS__},
 const PictureSet picture_sets[PICTURE_SETS] = {
-    {"1", "photons-only", "tests/steps/scenes/picture_1.yaml", 40, 6000, 30, 5, "2.4,1.5", 8, "1.1"},
-    {"2_source", "photons-only", "tests/steps/scenes/picture_2.yaml", 40, 3000, 24, 4, "2.3,1.5", 8, "2.3"},
-    {"2_phong", "photons-only", "tests/steps/scenes/picture_2.yaml", 40, 3000, 24, 4, "2.4,1.5", 8, "2.4"},
-    {"3", "photons-only", "tests/steps/scenes/picture_3.yaml", 40, 3500, 30, 8, "2.4,3.4", 8, "3.1"},
-    {"4", "gather", "tests/steps/scenes/picture_4.yaml", 24, 2000, 30, 6, "2.4,3.4", 8, "4.3"},
+#include "judge/checks/pictures.def"
 };
-enum { SET_1, SET_2_SOURCE, SET_2_PHONG, SET_3, SET_4 };
 
 void picture_set_plan(const PictureSet *set, Plan *plan)
 {
@@ -206,57 +202,18 @@ static void judge_set(const PictureSet *set, bool V_counts, const Results *resul
     give_features(set, &reference, &score, finding);
 }
 
-void plan_picture_1(Plan *plan)
-{
-    picture_set_plan(&picture_sets[SET_1], plan);
-}
-
-void plan_picture_2_source(Plan *plan)
-{
-    picture_set_plan(&picture_sets[SET_2_SOURCE], plan);
-}
-
-void plan_picture_2_phong(Plan *plan)
-{
-    picture_set_plan(&picture_sets[SET_2_PHONG], plan);
-}
-
-void plan_picture_3(Plan *plan)
-{
-    picture_set_plan(&picture_sets[SET_3], plan);
-}
-
-void plan_picture_4(Plan *plan)
-{
-    picture_set_plan(&picture_sets[SET_4], plan);
-}
-
-void judge_picture_1(const Results *results, Finding *finding)
-{
-    judge_set(&picture_sets[SET_1], false, results, finding);
-}
-
-void judge_picture_1_v(const Results *results, Finding *finding)
-{
-    judge_set(&picture_sets[SET_1], true, results, finding);
-}
-
-void judge_picture_2_source(const Results *results, Finding *finding)
-{
-    judge_set(&picture_sets[SET_2_SOURCE], false, results, finding);
-}
-
-void judge_picture_2_phong(const Results *results, Finding *finding)
-{
-    judge_set(&picture_sets[SET_2_PHONG], false, results, finding);
-}
-
-void judge_picture_3(const Results *results, Finding *finding)
-{
-    judge_set(&picture_sets[SET_3], false, results, finding);
-}
-
-void judge_picture_4(const Results *results, Finding *finding)
-{
-    judge_set(&picture_sets[SET_4], false, results, finding);
-}
+#define PICTURE_SET(set, title, ...)                                                                                   \
+    const char picture_title_##set[] = title;                                                                          \
+    void plan_picture_##set(Plan *plan)                                                                                \
+    {                                                                                                                  \
+        picture_set_plan(&picture_sets[PICTURE_SET_##set], plan);                                                      \
+    }                                                                                                                  \
+    void judge_picture_##set(const Results *results, Finding *finding)                                                 \
+    {                                                                                                                  \
+        judge_set(&picture_sets[PICTURE_SET_##set], false, results, finding);                                          \
+    }                                                                                                                  \
+    void judge_picture_and_v_##set(const Results *results, Finding *finding)                                           \
+    {                                                                                                                  \
+        judge_set(&picture_sets[PICTURE_SET_##set], true, results, finding);                                           \
+    }
+#include "judge/checks/pictures.def"

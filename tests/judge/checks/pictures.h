@@ -25,9 +25,14 @@ typedef struct {
     const char *steps; // as --steps takes it
     int replicates;    // K
     const char *step;  // one of the graded steps; calibrate has the probe play its solution
+    bool V_counts;     // for one of its steps; calibrate counts failures so
 } PictureSet;
 
-#define PICTURE_SETS 5
+#define PICTURE_SET(set, ...) PICTURE_SET_##set,
+enum {
+#include "judge/checks/pictures.def"
+    PICTURE_SETS
+};
 extern const PictureSet picture_sets[PICTURE_SETS];
 void picture_set_plan(const PictureSet *set, Plan *plan);
 
@@ -67,12 +72,5 @@ PicturePlace picture_place(int feature);
 // infinity otherwise.
 void picture_score(const PictureSet *set, const PictureReference *reference, const Numbers *pictures,
                    PictureScore *score);
-
-// Stage 1 with V as a verdict: for step 1.6, to which the reference gives the photons.
-void judge_picture_1_v(const Results *results, Finding *finding);
-#define PICTURE_1_V                                                                                                    \
-    {                                                                                                                  \
-        "picture", "The picture of stage 1", CHECK_PICTURE, plan_picture_1, judge_picture_1_v, true                    \
-    }
 
 #endif

@@ -14,37 +14,18 @@
     extern const int symbol##_check_count;
 #include "steps/steps.def"
 
-// The picture of the step's stage, one array a set of thresholds (pictures.c).
-void plan_picture_1(Plan *plan);
-void judge_picture_1(const Results *results, Finding *finding);
-void plan_picture_2_source(Plan *plan);
-void judge_picture_2_source(const Results *results, Finding *finding);
-void plan_picture_2_phong(Plan *plan);
-void judge_picture_2_phong(const Results *results, Finding *finding);
-void plan_picture_3(Plan *plan);
-void judge_picture_3(const Results *results, Finding *finding);
-void plan_picture_4(Plan *plan);
-void judge_picture_4(const Results *results, Finding *finding);
-#define PICTURE_1                                                                                                      \
+// A step's picture (pictures.h). V counts for step 1.6 alone, to which the reference gives the photons.
+#define PICTURE_SET(set, ...)                                                                                          \
+    extern const char picture_title_##set[];                                                                           \
+    void plan_picture_##set(Plan *plan);                                                                               \
+    void judge_picture_##set(const Results *results, Finding *finding);                                                \
+    void judge_picture_and_v_##set(const Results *results, Finding *finding);
+#include "judge/checks/pictures.def"
+#define PICTURE_CHECK(set, judge)                                                                                      \
     {                                                                                                                  \
-        "picture", "The picture of stage 1", CHECK_PICTURE, plan_picture_1, judge_picture_1, true                      \
+        "picture", picture_title_##set, CHECK_PICTURE, plan_picture_##set, judge##_##set, true                         \
     }
-#define PICTURE_2_SOURCE                                                                                               \
-    {                                                                                                                  \
-        "picture", "The picture of step 2.3", CHECK_PICTURE, plan_picture_2_source, judge_picture_2_source, true       \
-    }
-#define PICTURE_2_PHONG                                                                                                \
-    {                                                                                                                  \
-        "picture", "The picture of stage 2", CHECK_PICTURE, plan_picture_2_phong, judge_picture_2_phong, true          \
-    }
-#define PICTURE_3                                                                                                      \
-    {                                                                                                                  \
-        "picture", "The picture of stage 3", CHECK_PICTURE, plan_picture_3, judge_picture_3, true                      \
-    }
-
-#define PICTURE_4                                                                                                      \
-    {                                                                                                                  \
-        "picture", "The picture of stage 4", CHECK_PICTURE, plan_picture_4, judge_picture_4, true                      \
-    }
+#define PICTURE(set)       PICTURE_CHECK(set, judge_picture)
+#define PICTURE_AND_V(set) PICTURE_CHECK(set, judge_picture_and_v)
 
 #endif

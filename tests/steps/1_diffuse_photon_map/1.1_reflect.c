@@ -103,4 +103,4 @@ static void judge_anywhere(const Results *results, Finding *finding)
 DEFINE_CHECKS(reflect, {"table", "Mirror directions worked out by hand", CHECK_VALUES, plan_table, judge_table, false},
               {"anywhere", "Length stays, the way along the normal turns round", CHECK_INVARIANT, plan_anywhere,
                judge_anywhere, false},
-              PICTURE_1)
+              PICTURE(1))

@@ -202,4 +202,4 @@ DEFINE_CHECKS(emit_photon,
               {"place", "Positions are even over the light", CHECK_SAMPLES, plan_samples, judge_place, false},
               {"direction", "Directions follow cosθ/π about the light's normal, wherever the position", CHECK_SAMPLES,
                plan_samples, judge_direction, false},
-              PICTURE_1)
+              PICTURE(1))

@@ -104,4 +104,4 @@ DEFINE_CHECKS(scatter_diffuse,
                false},
               {"anywhere", "Directions are unit vectors above the surface, for every normal", CHECK_INVARIANT,
                plan_anywhere, judge_anywhere, false},
-              PICTURE_1)
+              PICTURE(1))

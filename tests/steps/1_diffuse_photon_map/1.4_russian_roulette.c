@@ -160,4 +160,4 @@ DEFINE_CHECKS(russian_roulette,
               {"energy", "Survivors carry Φρ on average", CHECK_ENERGY, plan_survival, judge_energy, false},
               {"edges", "White, black and coloured surfaces, and a photon without power", CHECK_VALUES, plan_edges,
                judge_edges, false},
-              PICTURE_1)
+              PICTURE(1))

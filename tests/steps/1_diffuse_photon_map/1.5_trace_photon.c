@@ -48,4 +48,4 @@ DEFINE_CHECKS(trace_photon,
                judge_mirrors, true},
               {"glass", "Photons fly on from glass, and leave nothing there", CHECK_SAMPLES, plan_glass, judge_glass,
                true},
-              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room, true}, PICTURE_1)
+              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room, true}, PICTURE(1))

@@ -124,4 +124,4 @@ DEFINE_CHECKS(turn_to, {"pole", "+z goes to the axis", CHECK_VALUES, plan_pole, 
               {"angles", "Lengths and angles stay", CHECK_INVARIANT, plan_angles, judge_angles, false},
               {"tilt", "The angle to +z becomes the angle to the axis", CHECK_INVARIANT, plan_angles, judge_tilt,
                false},
-              PICTURE_2_PHONG)
+              PICTURE(2_phong))

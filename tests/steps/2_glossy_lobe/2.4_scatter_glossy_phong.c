@@ -100,4 +100,4 @@ DEFINE_CHECKS(scatter_glossy_phong,
               {"weight", "Each weight is (n+2)/(n+1)·cosθ_o", CHECK_VALUES, plan_glossy, judge_weight, false},
               {"albedo", "The lobe reflects as much as the modified Phong BRDF", CHECK_ENERGY, plan_glossy,
                judge_albedo, false},
-              PICTURE_2_PHONG)
+              PICTURE(2_phong))

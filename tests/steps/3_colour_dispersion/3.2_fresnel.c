@@ -95,4 +95,4 @@ DEFINE_CHECKS(fresnel,
               {"table", "The share reflected, over indices and angles", CHECK_VALUES, plan_table, judge_table, false},
               {"anywhere", "The share reflected, for any index and angle", CHECK_VALUES, plan_anywhere, judge_anywhere,
                false},
-              PICTURE_3)
+              PICTURE(3))

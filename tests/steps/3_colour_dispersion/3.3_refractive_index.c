@@ -47,4 +47,4 @@ static void judge_table(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(refractive_index,
               {"table", "Each colour's index, and the mean for white", CHECK_VALUES, plan_table, judge_table, false},
-              PICTURE_3)
+              PICTURE(3))

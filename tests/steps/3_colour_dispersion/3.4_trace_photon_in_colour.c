@@ -184,4 +184,4 @@ DEFINE_CHECKS(trace_photon_in_colour,
               {"entering", "White light splits as it enters glass", CHECK_SAMPLES, plan_entering, judge_entering, true},
               {"leaving", "Glass reflects totally, colour by colour", CHECK_SAMPLES, plan_leaving, judge_leaving, true},
               {"slab", "Coloured photons keep their colour", CHECK_SAMPLES, plan_slab, judge_slab, true},
-              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room, true}, PICTURE_3)
+              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room, true}, PICTURE(3))

@@ -119,4 +119,4 @@ static void judge_split(const Results *results, Finding *finding)
 DEFINE_CHECKS(split_colour,
               {"split", "White splits once, into one photon of each colour", CHECK_VALUES, plan_split, judge_split,
                false},
-              PICTURE_3)
+              PICTURE(3))

@@ -239,4 +239,4 @@ DEFINE_CHECKS(gather_radiance,
               {"mirror", "On along mirrors, whose colour it takes", CHECK_VALUES, plan_mirror, judge_mirror, false},
               {"dark", "Lamps and the open bring nothing, nor do lamps in mirrors", CHECK_VALUES, plan_dark, judge_dark,
                false},
-              {"glass", "On through glass or back from it", CHECK_SAMPLES, plan_glass, judge_glass, false}, PICTURE_4)
+              {"glass", "On through glass or back from it", CHECK_SAMPLES, plan_glass, judge_glass, false}, PICTURE(4))

@@ -274,4 +274,4 @@ DEFINE_CHECKS(gather_hemisphere,
                false},
               {"cells", "Each cell has what its own ray brought, and how far it flew", CHECK_VALUES, plan_cells,
                judge_cells, false},
-              {"random", "Rays follow the random numbers", CHECK_INVARIANT, plan_cells, judge_random, false}, PICTURE_4)
+              {"random", "Rays follow the random numbers", CHECK_INVARIANT, plan_cells, judge_random, false}, PICTURE(4))

@@ -80,4 +80,4 @@ static void judge_reach(const Results *results, Finding *finding)
 DEFINE_CHECKS(irradiance_reach,
               {"reach", "The harmonic mean of the distances, within its bounds", CHECK_VALUES, plan_reach, judge_reach,
                false},
-              PICTURE_4)
+              PICTURE(4))

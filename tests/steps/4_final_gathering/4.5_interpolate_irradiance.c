@@ -264,4 +264,4 @@ static void judge_mean(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(interpolate_irradiance,
               {"mean", "The mean of the estimates that serve at a place", CHECK_VALUES, plan_mean, judge_mean, false},
-              PICTURE_4)
+              PICTURE(4))
