@@ -10,10 +10,11 @@
 #define UNTOUCHED    -77.0f // left where a step must not write
 
 // One value of each type: how it is read, what stands there before a step fills it, how it is written.
-#define READ_int(line)                (int)probe_whole(line, -1000, 1000)
+#define READ_int(line)                (int)probe_whole(line, -1000000, 1000000)
 #define READ_float(line)              (float)probe_number(line)
 #define READ_Vec3(line)               probe_vec3(line)
 #define READ_Colour(line)             probe_colour(line)
+#define READ_PointStatistics(line)    read_point(line)
 #define READ_PhotonColour(line)       (PhotonColour) probe_whole(line, WHITE, BLUE)
 #define UNTOUCHED_float               UNTOUCHED
 #define UNTOUCHED_Vec3                vec3(UNTOUCHED, UNTOUCHED, UNTOUCHED)
@@ -27,6 +28,7 @@
 #define PUT_Colour                    probe_put_colour
 #define PUT_Photon                    put_photon
 #define PUT_Hemisphere(output, value) put_hemisphere(output, &(value))
+#define PUT_PointStatistics           put_point
 
 static void put_photon(ProbeOutput *output, Photon photon)
 {
@@ -56,6 +58,23 @@ static void put_hemisphere(ProbeOutput *output, const Hemisphere *seen)
             probe_put_colour(output, seen->radiance[j][k]);
             probe_put(output, seen->distance[j][k]);
         }
+}
+
+// N, R, τ.
+static PointStatistics read_point(ProbeLine *line)
+{
+    PointStatistics point;
+    point.count = (float)probe_number(line);
+    point.radius = (float)probe_number(line);
+    point.flux = probe_colour(line);
+    return point;
+}
+
+static void put_point(ProbeOutput *output, PointStatistics point)
+{
+    probe_put(output, point.count);
+    probe_put(output, point.radius);
+    probe_put_colour(output, point.flux);
 }
 
 #define MOST_DRAWS 100

@@ -1,4 +1,4 @@
-// Step 5.1: half of a value. Contract: lib/steps/5_toy.h
+// Step NUMBER.1: half of a value. Contract: lib/steps/NUMBER_toy.h
 #include "photonlab.h"
 
 float halve(float value)

@@ -1,4 +1,4 @@
-// Step 5.2: (a + b)/2.
+// Step NUMBER.2: (a + b)/2.
 #include "judge/checks/directions.h"
 
 static void plan_values(Plan *plan)

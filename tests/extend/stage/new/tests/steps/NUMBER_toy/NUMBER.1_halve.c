@@ -1,4 +1,4 @@
-// Step 5.1: v/2.
+// Step NUMBER.1: v/2.
 #include "judge/checks/directions.h"
 
 static void plan_values(Plan *plan)

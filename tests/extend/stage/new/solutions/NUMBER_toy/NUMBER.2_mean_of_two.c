@@ -1,4 +1,4 @@
-// Step 5.2: the mean of two values. Contract: lib/steps/5_toy.h
+// Step NUMBER.2: the mean of two values. Contract: lib/steps/NUMBER_toy.h
 #include "photonlab.h"
 
 float mean_of_two(float a, float b)
