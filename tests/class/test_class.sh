@@ -157,6 +157,19 @@ check_table() {
     ok "class: no work left behind" not ls "$work/out/.parts/"part.* "${TMPDIR:-/tmp}/photonlab-class.$UID."*
 }
 
+# A decimal comma, and an i whose capital is another letter: neither makes a difference.
+check_languages() {
+    local language
+    mkdir -p "$work/languages" && (cd "$solved/2_glossy_lobe" && zip -q "$work/languages/WILLI.ZIP" 2.2*)
+    for language in de_DE tr_TR; do
+        localedef -i "$language" -f UTF-8 "$work/$language.UTF-8" 2>/dev/null ||
+            { echo "○ $language is not tried: no such locale (on Debian: apt-get install locales)"; continue; }
+        LOCPATH=$work LC_ALL=$language.UTF-8 make --no-print-directory -C "$root" BUILD="$build" \
+            DIR="$work/languages" OUT="$work/$language" class >"$work/$language-said" 2>&1
+        in_table "$language" WILLI '^WILLI,graded,5,100,' "$language: a class gets its points"
+    done
+}
+
 # ---- Gradescope
 
 check_gradescope() {
@@ -218,9 +231,9 @@ all)
     passed=$((passed + $(grep -c '^✓' "$work/odd-lines")))
     failed=$((failed + $(grep -c '^✗' "$work/odd-lines")))
     check "$(grep -c '^[✓✗]' "$work/odd-lines") == 11" "odd: all of it was tried"
-    check_class; check_gradescope
+    check_class; check_languages; check_gradescope
     ;;
-odd | class) "check_$1" ;;
+odd | class | languages) "check_$1" ;;
 gradescope) check_handout; check_submit; make_odd; check_gradescope ;;
 *) check_handout; "check_$1" ;;
 esac
