@@ -66,6 +66,9 @@ STEPS    = $(STEP_SOURCES:%.c=$(BUILD)/%.so)
 -include prebuilt/steps.mk
 MESHES   = $(addprefix scenes/meshes/,diamond.obj bumpy_sphere.obj ring.obj)
 
+# For a shell: one word, whatever it holds.
+quoted = '$(subst ','\'',$(1))'
+
 # `make V=1` shows whole commands.
 Q   = $(if $(V),,@)
 say = @$(if $(V),:,echo "  $(1) $(2)")
@@ -129,7 +132,7 @@ help $(HELP):
 SCENE ?= scenes/box_glass.yaml
 CODE_ASKED = $(filter-out undefined file,$(origin CODE))
 render: all meshes $(if $(CODE_ASKED),code-built)
-	$(PROGRAM) render $(SCENE) -o $(BUILD)/$(notdir $(SCENE:.yaml=.png)) $(if $(CODE_ASKED),--code $(CODE_BUILD)) $(FLAGS)
+	$(PROGRAM) render $(call quoted,$(SCENE)) -o $(call quoted,$(BUILD)/$(notdir $(SCENE:.yaml=.png))) $(if $(CODE_ASKED),--code $(CODE_BUILD)) $(FLAGS)
 
 ## demo  the course's pictures, rendered into build/demo/
 demo: all meshes

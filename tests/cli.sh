@@ -50,6 +50,8 @@ expect 2 "expected no file" "$program" steps 1.1
 # Wrong input or output: 1, and no file.
 expect 1 "No such file" "$program" render "$work/none.yaml" -o "$work/a.png"
 expect 1 "No such file" "$program" render $scene $quick -o "$work/no/such/place.png"
+{ "$program" render $'\e[7m.yaml' -o "$work/a.png"; "$program" $'\e[7m'; "$program" steps --$'\e[7m'; } >"$work/out" 2>&1
+ok "a name with escape codes upsets no terminal" [ "$(grep -c '?\[7m' "$work/out")" = 3 ]
 expect 1 "is a directory" "$program" render scenes -o "$work/a.png"
 printf 'materials: [' >"$work/broken.yaml"
 expect 1 "broken.yaml:2:1: this is not YAML" "$program" render "$work/broken.yaml" -o "$work/a.png"

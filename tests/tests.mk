@@ -26,7 +26,7 @@ check-rooms:
 
 ##check long check-extend  what a stage, a material, a view, a key costs; TRIAL=view (ten minutes)
 check-extend:
-	@bash tests/extend/run.sh $(TRIAL)
+	@bash tests/extend/run.sh $(call quoted,$(TRIAL))
 
 ##check first check-unit  the library's unit tests
 check-unit: all meshes $(TESTS)
@@ -102,7 +102,7 @@ reference: all
 
 ##check first agreement  photons against the path tracer (SCENES=few: as make check does)
 agreement: all meshes
-	@bash tests/agreement.sh $(PROGRAM) $(or $(SCENES),$(if $(CHECK),few))
+	@bash tests/agreement.sh $(PROGRAM) $(if $(CHECK),few,$(SCENES))
 
 ##check long check-scatter  which mistakes the scatters show, and false verdicts (ten minutes)
 check-scatter: judge
@@ -168,7 +168,7 @@ fuzz: $(SCENE_PAGE)
 
 ##maintainer size  lines of C and shell, room by room: make size [OF=COMMIT]
 size:
-	@sh tests/size.sh $(OF)
+	@sh tests/size.sh $(call quoted,$(OF))
 
 ##maintainer format  lay the C files out by .clang-format
 format:

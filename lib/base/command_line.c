@@ -13,10 +13,12 @@ int report_usage(const char *command, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    fprintf(stderr, "%s: ", command);
-    vfprintf(stderr, format, arguments);
-    fprintf(stderr, "\n%s --help lists the flags\n", command);
+    char what[1024];
+    Error error = {""};
+    vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
+    error_set(&error, "%s", what);
+    fprintf(stderr, "%s: %s\n%s --help lists the flags\n", command, error.message, command);
     return EXIT_USAGE;
 }
 

@@ -11,5 +11,7 @@ bool error_set(Error *error, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(error->message, sizeof error->message, format, arguments);
     va_end(arguments);
+    for (char *at = error->message; *at; at++)
+        *at = (unsigned char)*at < ' ' || *at == 127 ? '?' : *at;
     return false;
 }

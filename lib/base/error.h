@@ -16,7 +16,7 @@ typedef struct {
 #endif
 
 // Writes the message (printf style, cut at the buffer's end) unless one stands there already, so that the first cause
-// wins. Always returns false, so that `return error_set(…)` reads well. `error` may be NULL.
+// wins. Control characters, which could upset a terminal, become '?'. Always returns false, so that `return error_set(…)` reads well. `error` may be NULL.
 bool error_set(Error *error, const char *format, ...) PRINTF_LIKE(2, 3);
 
 #endif

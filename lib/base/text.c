@@ -132,13 +132,6 @@ TextSuggestion text_suggest(const char *word, TextNameAt name_at, const void *li
     return said;
 }
 
-void text_make_printable(char *text)
-{
-    for (; *text; text++)
-        if ((unsigned char)*text < ' ' || *text == 127)
-            *text = '?';
-}
-
 void text_append(char *text, size_t size, const char *format, ...)
 {
     size_t length = strlen(text);

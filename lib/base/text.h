@@ -39,7 +39,4 @@ TextSuggestion text_suggest(const char *word, TextNameAt name_at, const void *li
 // snprintf behind the text that is there already; cut off at the end of `size` bytes.
 void text_append(char *text, size_t size, const char *format, ...) PRINTF_LIKE(3, 4);
 
-// Makes control characters, which could upset a terminal, into '?'.
-void text_make_printable(char *text);
-
 #endif

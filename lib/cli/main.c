@@ -40,7 +40,5 @@ int main(int count, char **arguments)
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(arguments[1], commands[i].name) == 0)
             return commands[i].run(count - 1, arguments + 1);
-    fprintf(stderr, "photonlab: no command `%s`\n\n", arguments[1]);
-    print_help(stderr);
-    return EXIT_USAGE;
+    return report_usage("photonlab", "no command `%s`", arguments[1]);
 }

@@ -1,7 +1,5 @@
 #include "scene/scene_entry.h"
 
-#include "base/text.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,7 +8,6 @@ static bool fault(const SceneFile *file, ScenePlace place, const char *format, v
 {
     char what[700];
     vsnprintf(what, sizeof what, format, arguments);
-    text_make_printable(what);
     return error_set(file->error, "%s:%u:%u: %s", file->name, (unsigned)place.line, (unsigned)place.column, what);
 }
 

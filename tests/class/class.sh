@@ -5,8 +5,9 @@
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
+. "$here/json.sh"
 stop() {
-    echo "class: $*" >&2
+    printable "class: $*" >&2
     exit 2
 }
 
@@ -57,7 +58,7 @@ for submission in "$directory"/* "$loose"/*; do
 done
 shopt -u nocasematch nullglob
 [ "$count" -gt 0 ] || stop "no submissions (folders or archives) in $PHOTONLAB_DIR"
-[ ${#ignored[@]} = 0 ] || echo "not submissions: ${ignored[*]}"
+[ ${#ignored[@]} = 0 ] || printable "not submissions: ${ignored[*]}"
 table() {
     "$build/class_table" "$out" "$names" ${roster:+"$roster"} ${roster:+${PHOTONLAB_COLUMN:+"$PHOTONLAB_COLUMN"}}
 }
@@ -90,11 +91,12 @@ judge_key() {
     } | sha256sum | cut -c1-64
 }
 config=$out/.parts/.config
+(umask 077 && : >"$config") # it holds the salt
 {
     echo "export LC_ALL=${LC_ALL:-C}" # on other machines, too
     printf 'ROOT=%q\nBUILD=%q\nOUT=%q\nPOINTS=%q\n' "$root" "$build" "$out" "$points"
     printf 'export PHOTONLAB_CC=%q PHOTONLAB_FLAGS=%q PHOTONLAB_LINK=%q\n' "$PHOTONLAB_CC" "$PHOTONLAB_FLAGS" "$PHOTONLAB_LINK"
-    printf 'SALT=%q\nREGRADE=%q\nJUDGE_KEY=%q\nSECONDS_EACH=%q\n' "${PHOTONLAB_SALT:-}" \
+    printf 'export PHOTONLAB_SALT=%q\nREGRADE=%q\nJUDGE_KEY=%q\nSECONDS_EACH=%q\n' "${PHOTONLAB_SALT:-}" \
         "${PHOTONLAB_REGRADE:-}" "$(judge_key)" \
         "${PHOTONLAB_SECONDS_EACH:-900}"
 } >"$config"

@@ -63,10 +63,7 @@ finish() {
     [ -e "$OUT/$name" ] && mv -T "$OUT/$name" "$old/was"
     mv -T "$part" "$OUT/$name" || exit 1
     rm -rf "$old"
-    printf '%s  %s points  %s s  %s%s\n' "$1" "$(points "$OUT/$name" | grep . || echo 0)" "$seconds" \
-        "$(printf %s "$name" | tr -d '[:cntrl:]')" \
-        "${2:+: $2}" | tr '\n' ' '
-    echo
+    printable "$1  $(points "$OUT/$name" | grep . || echo 0) points  $seconds s  $name${2:+: ${2//$'\n'/ }}"
 }
 
 part=$(mktemp -d "$OUT/.parts/part.XXXXXX") || exit 1
@@ -80,7 +77,7 @@ esac
 key=$(printf '%s %s' "$JUDGE_KEY" "$(hash_of_content)" | sha256sum | cut -c1-64)
 if is_done; then
     rm -rf "$part"
-    echo "kept  $(points "$OUT/$name") points  $(printf %s "$name" | tr -d '[:cntrl:]')"
+    printable "kept  $(points "$OUT/$name") points  $name"
     exit 0
 fi
 
@@ -93,7 +90,7 @@ write_reports() {
 cd "$work/in" || exit 1
 timeout -k 10 "$SECONDS_EACH" "$BUILD/judge" --root "$ROOT" --build "$BUILD" --points "$POINTS" \
     --code "./$name" --work "$work/test" --report "$part" \
-    --jobs 1 --credit ${SALT:+--salt "$SALT"} >"$part/terminal.txt" 2>"$work/why" </dev/null
+    --jobs 1 --credit >"$part/terminal.txt" 2>"$work/why" </dev/null
 case $? in
 0 | 1)
     write_reports

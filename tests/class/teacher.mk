@@ -18,15 +18,15 @@ $(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
 
 class-tools: $(BUILD)/class_flags.sh judge $(WRITE_REPORTS) $(CLASS_UNPACK) $(CLASS_TABLE)
 
-##teacher class  grade a class: make class DIR=submissions [ROSTER=roster.csv] [SALT=secret] [OUT=build/class] [REGRADE=1] [PARALLEL_FLAGS=…]
+##teacher class  grade a class: [SALT=secret] make class DIR=submissions [ROSTER=roster.csv] [OUT=build/class] [REGRADE=1] [PARALLEL_FLAGS=…]
 class: export PHOTONLAB_DIR = $(DIR)
 class: export PHOTONLAB_ROSTER = $(ROSTER)
 class: export PHOTONLAB_COLUMN = $(COLUMN)
 class: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/class)
 class: export PHOTONLAB_REGRADE = $(REGRADE)
 class: export PHOTONLAB_PARALLEL_FLAGS = $(PARALLEL_FLAGS)
-class: export PHOTONLAB_SALT = $(SALT)
 class: class-tools
+	$(if $(filter command,$(origin SALT)),$(error What stands behind `make`, students' code can read. Before it: SALT=secret make class))
 	@bash tests/class/class.sh
 
 ##teacher handout  the students' archive: make handout [OUT=build/handout] [WITH_SOLUTIONS=1] [VERSION=2]
@@ -38,7 +38,6 @@ handout: all
 
 ##teacher gradescope  the autograder for Gradescope: make gradescope [OUT=build/gradescope] [SALT=secret]
 gradescope: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/gradescope)
-gradescope: export PHOTONLAB_SALT = $(SALT)
 gradescope:
 	@bash tests/class/gradescope.sh
 

@@ -6,9 +6,9 @@ check_handout() {
     local tree code
     PHOTONLAB_OUT=$work/handout PHOTONLAB_VERSION=1 bash "$here/handout.sh" >"$work/said" 2>&1 ||
         bad "handout: $(tail -3 "$work/said")"
-    mkdir "$work/a student"
-    tar -xzf "$work/handout/photonlab-1.tar.gz" -C "$work/a student" || bad "handout: its archive"
-    tree="$work/a student/photonlab-1"
+    mkdir "$work/a student's"
+    tar -xzf "$work/handout/photonlab-1.tar.gz" -C "$work/a student's" || bad "handout: its archive"
+    tree="$work/a student's/photonlab-1"
     (cd "$tree" && find . -type f) >"$work/files"
     ok "handout: no solutions, mistakes, alternatives, attacks or unit tests" \
         not grep -E '^\./(solutions|tests/(alternatives|attacks|unit))/|^\./tests/mistakes/.*/|\.patch$' "$work/files"
@@ -41,6 +41,9 @@ check_handout() {
         find "$tree/build" -type f -exec touch {} +
     (cd "$tree" && make all hint STEP=2.2) >"$work/said" 2>&1
     says "Hint 1 of 3" "$work/said" "handout: make all hint, in a folder with a blank in its name"
+    mkdir -p "$work/it's mine/2_glossy_lobe" && cp "$solved/$turn" "$work/it's mine/2_glossy_lobe/"
+    (cd "$tree" && make code-built CODE="$work/it's mine") >"$work/said" 2>&1
+    ok "handout: CODE= with an apostrophe, in a folder with one" ls "$tree"/build/code/*/"${turn%.c}.so"
     ok "handout: the reference's objects are in place" test -f \
         "$tree/build/solutions/2_glossy_lobe/2.2_turn_to.so"
     cp "$tree/Makefile" "$work/Makefile"
@@ -52,7 +55,7 @@ check_handout() {
 # ---- submit, in the handout
 
 check_submit() {
-    local tree="$work/a student/photonlab-1" archive
+    local tree="$work/a student's/photonlab-1" archive
     export PHOTONLAB_NAME="Zoë/O'Neil"
     (cd "$tree" && PHOTONLAB_BUILD=build bash tests/class/submit.sh) >"$work/said" 2>&1
     says "started:     none" "$work/said" "submit: nothing is started in a handout"
@@ -87,8 +90,8 @@ manifest() {
 }
 
 check_update() {
-    local tree="$work/a student/photonlab-1" new=$work/new/photonlab-2 file
-    rm -rf "$tree" && tar -xzf "$work/handout/photonlab-1.tar.gz" -C "$work/a student"
+    local tree="$work/a student's/photonlab-1" new=$work/new/photonlab-2 file
+    rm -rf "$tree" && tar -xzf "$work/handout/photonlab-1.tar.gz" -C "$work/a student's"
     mkdir "$work/new" && tar -xzf "$work/handout/photonlab-1.tar.gz" -C "$work/new" && mv "$work/new/photonlab-1" "$new"
     for file in .stubs/$turn $turn .stubs/1_diffuse_photon_map/1.1_reflect.c 1_diffuse_photon_map/1.1_reflect.c; do
         echo "// new words" >>"$new/exercises/$file"

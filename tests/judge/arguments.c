@@ -15,7 +15,6 @@ static const char help[] =
     "  --compiler CC  --flags \"…\"  --link \"…\"    how a step is compiled and linked (as PHOTONLAB_CC, PHOTONLAB_FLAGS and\n"
     "                    PHOTONLAB_LINK in the environment say)\n"
     "  --jobs N          steps graded side by side (0: all cores)\n"
-    "  --salt TEXT       other random numbers\n"
     "  --seconds S       processor time for a step's cases (6); slow machines get more\n"
     "  --credit          refuse to grade without a sandbox\n"
     "  --strict          exit 0 only when every step passes\n"
@@ -25,6 +24,7 @@ static const char help[] =
     "  --scatters N      the stages' scatters alone, with N salts: a line \"STAGE STATUS P THRESHOLD MESSAGE\" each\n"
     "  --verbose         show the checks of steps that pass, too\n"
     "\n"
+    "PHOTONLAB_SALT in the environment, which no other user can read, gives other random numbers.\n"
     "Exit: 0 nothing that was started fails; 1 something does; 2 wrong usage; 3 grading was not possible.\n";
 
 // A stage's number; −1, which is no stage, for anything else.
@@ -51,7 +51,7 @@ int arguments_parse(int count, char **arguments, Arguments *a)
                                .compiler = from_environment("PHOTONLAB_CC", "cc"),
                                .flags = from_environment("PHOTONLAB_FLAGS", "-std=c99 -O2 -fPIC"),
                                .link_flags = from_environment("PHOTONLAB_LINK", "-shared"),
-                               .salt = "photonlab"}};
+                               .salt = from_environment("PHOTONLAB_SALT", "photonlab")}};
     GradeOptions *g = &a->grade;
     const char *stage = NULL, *odd = NULL;
     float seconds = 6.0f;
@@ -69,7 +69,6 @@ int arguments_parse(int count, char **arguments, Arguments *a)
         {"flags", FLAG_TEXT, &g->flags, 0, 0},
         {"link", FLAG_TEXT, &g->link_flags, 0, 0},
         {"jobs", FLAG_INT, &a->jobs, 0, 1024},
-        {"salt", FLAG_TEXT, &g->salt, 0, 0},
         {"seconds", FLAG_FLOAT, &seconds, 0.1, 1e6},
         {"scatters", FLAG_INT, &a->scatters, 1, 999},
         {"credit", FLAG_PRESENT, &a->credit, 0, 0},

@@ -19,8 +19,8 @@ if [ -n "$patch" ] && ! patch -s -d "$directory/code" -p2 <"$patch" >"$directory
 fi
 run_judge() {
     # shellcheck disable=SC2086 # flags are words
-    ${PIN:+taskset -c "$PIN"} "$PHOTONLAB_BUILD/judge" --build "$PHOTONLAB_BUILD" --work "$directory/work" --code "$directory/code" \
-        --step "$step" --jobs 1 --salt "${SALT:-photonlab}" ${JUDGE_FLAGS:-} "$@"
+    PHOTONLAB_SALT=${SALT:-} ${PIN:+taskset -c "$PIN"} "$PHOTONLAB_BUILD/judge" --build "$PHOTONLAB_BUILD" --work "$directory/work" --code "$directory/code" \
+        --step "$step" --jobs 1 ${JUDGE_FLAGS:-} "$@"
 }
 if [ -n "${FEATURES:-}" ]; then
     echo "$case $(run_judge --features 2>"$directory/stderr")"

@@ -5,7 +5,7 @@ set -u
 code=$1 salt=$2 directory=$3
 mkdir -p "$directory/work" "$directory/report"
 judge() {
-    "$PHOTONLAB_BUILD/judge" --build "$PHOTONLAB_BUILD" --work "$directory/work" --code "$code" --jobs 1 --salt "$salt" \
+    PHOTONLAB_SALT=$salt "$PHOTONLAB_BUILD/judge" --build "$PHOTONLAB_BUILD" --work "$directory/work" --code "$code" --jobs 1 \
         --report "$directory/report" "$@" >"$directory/output" 2>&1
     # The first status after a step's id is its own; those of its checks follow.
     awk -F '"' '/"steps"/ { on = 1 } on && $2 == "id" { id = $4 } on && $2 == "status" && id != "" { print id, $4; id = "" }' \

@@ -22,8 +22,11 @@ $(WRITE_REPORTS): $(call object,$(wildcard tests/judge/report/*.c)) $(LIBRARY)
 .PHONY: judge test test-sanitized report debug
 judge: all $(JUDGE) $(PROBE)
 
-JUDGE_RUN = $(JUDGE) --build $(BUILD) --work $(BUILD)/test --code "$(CODE)" $(if $(STEP),--step $(STEP)) $(if $(STAGE),--stage $(STAGE)) \
-            $(if $(SALT),--salt "$(SALT)") $(if $(filter 1,$(STRICT)),--strict) $(JUDGE_FLAGS)
+JUDGE_RUN = $(JUDGE) --build $(BUILD) --work $(BUILD)/test --code $(call quoted,$(CODE)) $(if $(STEP),--step $(call quoted,$(STEP))) \
+            $(if $(STAGE),--stage $(call quoted,$(STAGE))) $(if $(filter 1,$(STRICT)),--strict) $(JUDGE_FLAGS)
+
+# By the environment: what stands on a command line, anybody on the machine can read.
+export PHOTONLAB_SALT = $(SALT)
 
 ## test  grade your work: make test [STAGE=2] [STEP=2.1] [CODE=another-directory]
 test: judge
@@ -37,10 +40,10 @@ report: judge $(WRITE_REPORTS)
 
 ## debug  gdb on the case that failed: make debug STEP=2.1
 debug: judge
-	@test -n "$(STEP)" || { echo "say which step: make debug STEP=2.1"; exit 2; }
-	@$(MAKE) --no-print-directory test STEP="$(STEP)" STEP_OPTIMISE=-O0 || true
-	@sh tests/judge/debug.sh $(BUILD) $(STEP)
+	@test -n $(call quoted,$(STEP)) || { echo "say which step: make debug STEP=2.1"; exit 2; }
+	@$(MAKE) --no-print-directory test STEP_OPTIMISE=-O0 || true
+	@sh tests/judge/debug.sh $(BUILD) $(call quoted,$(STEP))
 
 ## test-sanitized  the test under sanitizers, which see what did not crash by luck: STEP=2.1
 test-sanitized:
-	+@$(SANITIZED) STEP_OPTIMISE=-O1 CODE="$(CODE)" STEP="$(STEP)" STAGE="$(STAGE)" JUDGE_FLAGS="--sanitized --seconds 60" test
+	+@$(SANITIZED) STEP_OPTIMISE=-O1 JUDGE_FLAGS="--sanitized --seconds 60" test

@@ -23,6 +23,13 @@ judged 2 "what is \`2.1\`" 2.1
 judged 0 "0 passed, 0 failed" --stage 1
 judged 1 "6 not started" --stage 1 --strict
 
+# What a name holds is not run.
+nasty="2.1';touch $work/ran;'\";touch $work/ran;\`touch $work/ran\`"
+for target in test hint reset debug "render FLAGS=--help"; do
+    make -s BUILD="$build" STEP="$nasty" STAGE="$nasty" SALT="$nasty" CODE="$nasty" SCENE="$nasty" $target </dev/null
+done >"$work/out" 2>&1
+ok "make runs no part of STEP, STAGE, SALT, CODE, SCENE" not test -e "$work/ran"
+
 # A right step in a folder with a blank in its name; the same in the wrong place.
 cp solutions/1_diffuse_photon_map/1.1_reflect.c "$stage1/"
 judged 0 "1 passed, 0 failed" --stage 1

@@ -7,12 +7,12 @@ ifeq ($(or $(patsubst %/,%,$(CODE)),exercises),exercises)
 CODE_SOURCE := exercises
 CODE_BUILD   = $(BUILD)/exercises
 else
-CODE_QUOTED := '$(subst ','\'',$(patsubst %/,%,$(CODE)))'
+CODE_QUOTED := $(call quoted,$(patsubst %/,%,$(CODE)))
 CODE_KEY    := $(shell cd $(CODE_QUOTED) 2>/dev/null && pwd -P | cksum | tr ' ' -)
 CODE_BUILD   = $(BUILD)/code/$(CODE_KEY)
 # A name that make would stumble over, with a blank in it say, is gone round by a link.
 CODE_SOURCE := $(if $(CODE_KEY),$(shell cd $(CODE_QUOTED) && case $(CODE_QUOTED) in \
-                 (*[!A-Za-z0-9._/-]*) link='$(abspath $(BUILD))/code/$(CODE_KEY)/source'; mkdir -p "$${link%/source}"; \
+                 (*[!A-Za-z0-9._/-]*) link=$(call quoted,$(abspath $(BUILD))/code/$(CODE_KEY)/source); mkdir -p "$${link%/source}"; \
                      ln -sfn "`pwd -P`" "$$link"; echo '$(BUILD)/code/$(CODE_KEY)/source';; \
                  (*) echo $(CODE_QUOTED);; esac))
 endif
@@ -29,7 +29,7 @@ export PHOTONLAB_LINK  = $(PLUGIN) $(filter -fsanitize%,$(EXTRA))
 
 # For a shell: the source $1 becomes the object $2. Two previews may build the same one. STEP_COMMAND is the same as one word.
 STEP_COMPILE = mkdir -p "$${2%/*}" && $(CC) $(STEP_FLAGS) -Ilib $(PLUGIN) -MMD -MP -MT "$$2" -MF "$${2%.so}.d" "$$1" -o "$$2.new$$$$" && mv "$$2.new$$$$" "$$2"
-STEP_COMMAND = '$(subst ','\'',$(STEP_COMPILE))'
+STEP_COMMAND = $(call quoted,$(STEP_COMPILE))
 
 # A file that does not compile loses its object, so that the reference plays there and not what compiled yesterday. It is no
 # error for make: the other steps go on.
@@ -52,7 +52,7 @@ endif
 # Objects whose source is gone must not play either.
 .PHONY: code-built exercises-built code-there
 code-there:
-	@test -n "$(CODE_SOURCE)" || { echo "CODE=$(CODE): no such folder" >&2; exit 2; }
+	@test -n "$(CODE_SOURCE)" || { echo $(call quoted,CODE=$(CODE): no such folder) >&2; exit 2; }
 	@for so in $(CODE_BUILD)/*/*.so; do \
 	    c=$${so#$(CODE_BUILD)/}; [ -e "$(CODE_SOURCE)/$${c%.so}.c" ] || rm -f "$$so"; done
 code-built: code-there $(CODE_OBJECTS)

@@ -72,7 +72,6 @@ static bool fault(const Reader *reader, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
-    text_make_printable(what);
     return error_set(reader->error, "%s:%ld: %s", reader->name, reader->line, what);
 }
 

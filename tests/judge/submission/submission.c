@@ -32,9 +32,12 @@ static void say_misplaced(const char *code, const char *path)
     for (size_t i = 0; i < STEP_COUNT; i++) {
         const char *id = step_table[i].id;
         size_t digits = strlen(id);
-        if (strncmp(name, id, digits) == 0 && !isdigit((unsigned char)name[digits]))
-            fprintf(stderr, "── %s/%s is not graded: step %s is looked for in %s/%s.c\n", code, path, id, code,
-                    step_table[i].file);
+        if (strncmp(name, id, digits) != 0 || isdigit((unsigned char)name[digits]))
+            continue;
+        Error said = {""};
+        error_set(&said, "── %s/%s is not graded: step %s is looked for in %s/%s.c", code, path, id, code,
+                  step_table[i].file);
+        fprintf(stderr, "%s\n", said.message);
     }
 }
 
