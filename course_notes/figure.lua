@@ -9,7 +9,7 @@ local escape, raw, tex = words.escape, words.raw, words.tex
 local is_html = FORMAT:match("html") ~= nil
 local figures = os.getenv("NOTES_FIGURES") or "course_notes/figures"
 local page = os.getenv("NOTES_PAGE") or "page"
-local labels = { question = "Question", wrong = "What goes wrong", reading = "To read" }
+local labels = { question = "Question", wrong = "What goes wrong", reading = "To read", source = "In the source text" }
 
 local function read_file(path)
     local file = io.open(path, "rb")

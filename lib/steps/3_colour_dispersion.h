@@ -14,8 +14,8 @@ bool refract(Vec3 direction, Vec3 normal, float eta, Vec3 *refracted);
 
 // 3.2  Fresnel reflectance of clear glass for unpolarised light, 0…1; cos_i = cosθ_i > 0, eta = n_i/n_t. 1 under
 // total reflection.
-//          R_s = (η cosθ_i − cosθ_t)/(η cosθ_i + cosθ_t),  R_p = (cosθ_i − η cosθ_t)/(cosθ_i + η cosθ_t)
-//          R = (R_s² + R_p²)/2
+//          r_s = (η cosθ_i − cosθ_t)/(η cosθ_i + cosθ_t),  r_p = (cosθ_i − η cosθ_t)/(cosθ_i + η cosθ_t)
+//          R = (r_s² + r_p²)/2
 float fresnel(float cos_i, float eta);
 
 // 3.3  The refractive index that a photon of this colour meets: glass->index[0…2] for RED, GREEN, BLUE; for WHITE the

@@ -26,7 +26,7 @@ static Vec3 uniform_hemisphere(Vec3 normal, Rng *rng)
 
 static void play(const Scene *scene, const char *name, FILE *text)
 {
-    PhotonPassOptions options = {.photons = 200000, .depth = 6, .seed = 8, .keep = KEEP_ALL, .loop = true};
+    PhotonPassOptions options = {.photons = 200000, .depth = 6, .seed = 8, .keep = KEEP_ALL, .play = {.loop = 1}};
     PhotonPass pass;
     Error error = {{0}};
     if (!photon_pass_run(scene, &options, &pass, &error)) {

@@ -31,7 +31,7 @@ static bool by_mean(Colour *power, Colour reflectance, Rng *rng)
 
 static void play(const Scene *scene, const char *name, FILE *data, FILE *text)
 {
-    PhotonPassOptions options = {.photons = PHOTONS, .depth = 24, .seed = 4, .keep = KEEP_ALL, .loop = true};
+    PhotonPassOptions options = {.photons = PHOTONS, .depth = 24, .seed = 4, .keep = KEEP_ALL, .play = {.loop = 1}};
     PhotonPass pass;
     Error error = {{0}};
     if (!photon_pass_run(scene, &options, &pass, &error)) {

@@ -59,13 +59,16 @@ static void write_leak(FILE *text, int degrees)
     Vec3 mirror, in = arrival(degrees * RADIANS, &mirror);
     Rng rng = rng_create(2, (uint64_t)(100 + degrees));
     long leaked = 0;
-    for (long i = 0; i < SAMPLES / 4; i++) {
+    for (long i = 0; i < SAMPLES; i++) {
         Vec3 out;
         float weight;
         steps.scatter_glossy_source_text(in, vec3(0, 0, 1), 1000.0f, &rng, &out, &weight);
         leaked += vec3_dot(out, mirror) <= 0.0f;
     }
-    fprintf(text, "leak_%d_percent %.1f\n", degrees, 400.0 * (double)leaked / SAMPLES);
+    double share = 0.5 * (1.0 - cos(degrees * RADIANS));
+    fprintf(text, "leak_%d_percent %.2f\nleak_formula_%d_percent %.2f\n", degrees, 100.0 * (double)leaked / SAMPLES,
+            degrees, 100.0 * share);
+    fprintf(text, "leak_error_%d_percent %.3f\n", degrees, 100.0 * sqrt(share * (1.0 - share) / SAMPLES));
 }
 
 // Noise of an estimate from k = 150 photons that arrive as from an even sky, seen from straight above, in percent of

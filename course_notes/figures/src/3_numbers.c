@@ -51,6 +51,11 @@ static void print_glasses(FILE *out)
     double abbe = (n_d - 1.0) / (index_of("N-SF11", 486.133) - index_of("N-SF11", 656.273));
     for (int nm = 435; nm <= 700; nm++)
         worst = fmax(worst, fabs(cauchy_index(n_d, abbe, nm) - index_of("N-SF11", nm)));
+    const SellmeierGlass *glass = glass_find("N-SF11"); // Sellmeier's terms as series, the first members alone
+    double a = 1.0 + glass->b[0] + glass->b[1];
+    fprintf(out, "infrared_N-SF11 %.4f\n", -glass->b[2] * 0.587562 * 0.587562 / glass->c[2]);
+    fprintf(out, "series_A_N-SF11 %.3f\n", sqrt(a));
+    fprintf(out, "series_B_N-SF11 %.4f\n", 0.5 * (glass->b[0] * glass->c[0] + glass->b[1] * glass->c[1]) / sqrt(a));
     fprintf(out, "cauchy_error_N-SF11 %.5f\n", worst);
     fprintf(out, "cauchy_A_N-SF11 %.4f\n", cauchy_index(n_d, abbe, 1e9));
     fprintf(out, "cauchy_B_N-SF11 %.4f\n", (cauchy_index(n_d, abbe, 1e3) - cauchy_index(n_d, abbe, 1e9)));
@@ -120,6 +125,33 @@ static double bow_angle(double index, double incidence, int times)
     return times == 1 ? 4.0 * r - 2.0 * incidence : 180.0 + 2.0 * incidence - 6.0 * r;
 }
 
+// What share of light comes out of a drop in its bow, where it is reflected `times` times inside: s and p each followed
+// by itself (`polarised`), or the mean of both taken at each surface.
+static double bow_share(double n, int times, bool polarised)
+{
+    double cos_i = sqrt((n * n - 1.0) / (times == 1 ? 3.0 : 8.0));
+    double cos_r = sqrt(1.0 - (1.0 - cos_i * cos_i) / (n * n));
+    double s = pow((cos_i - n * cos_r) / (cos_i + n * cos_r), 2.0);
+    double p = pow((n * cos_i - cos_r) / (n * cos_i + cos_r), 2.0);
+    double mean = 0.5 * (s + p);
+    if (!polarised)
+        return pow(1.0 - mean, 2.0) * pow(mean, times);
+    return 0.5 * (pow(1.0 - s, 2.0) * pow(s, times) + pow(1.0 - p, 2.0) * pow(p, times));
+}
+
+static void print_polarisation(FILE *out)
+{
+    double green = index_step("water_20C", 1);
+    fprintf(out, "bow_true %.4f\nbow_mean %.4f\n", bow_share(green, 1, true), bow_share(green, 1, false));
+    for (int c = 0; c < 3; c++) {
+        double n = index_step("water_20C", c);
+        fprintf(out, "bow_excess_percent_%s %.1f\n", band_names[c],
+                100.0 * (bow_share(n, 1, false) / bow_share(n, 1, true) - 1.0));
+        fprintf(out, "second_bow_lack_percent_%s %.1f\n", band_names[c],
+                100.0 * (1.0 - bow_share(n, 2, false) / bow_share(n, 2, true)));
+    }
+}
+
 static void print_bows(FILE *out)
 {
     for (int c = 0; c < 3; c++) {
@@ -159,6 +191,7 @@ int main(int count, char **arguments)
     print_choice(out);
     print_prism(out);
     print_bows(out);
+    print_polarisation(out);
     print_pane(out);
     return fclose(out) == 0 ? 0 : 1;
 }

@@ -58,7 +58,7 @@ static void judge_value(double cos_i, double eta, double found, long number, Fin
         finding_fail(finding, number, "expected ((n-1)/(n+1))² = %.4f straight on, for eta = %.4g; found %.4f",
                      expected, eta, found);
     else
-        finding_fail(finding, number, "expected (R_s² + R_p²)/2 = %.4f for cosθ_i = %.4g, eta = %.4g; found %.4f",
+        finding_fail(finding, number, "expected (r_s² + r_p²)/2 = %.4f for cosθ_i = %.4g, eta = %.4g; found %.4f",
                      expected, cos_i, eta, found);
 }
 
