@@ -62,7 +62,10 @@ function measure() {
             said.push("BAD " + hole.toFixed(1) + " px before " + about(o.closest("math")));
     });
     if (root.scrollHeight < 200) said.push("BAD page is empty");
-    said.push("SAID " + images.length + " images, " + formulas.length + " formulas, " + root.scrollHeight + " px high");
+    const wide = [...page.querySelectorAll(".pieces")].filter(p => p.scrollWidth > p.clientWidth);
+    wide.forEach(p => said.push("WIDE " + (p.scrollWidth - p.clientWidth) + " px: " + p.parentElement.id));
+    said.push("SAID " + images.length + " images, " + formulas.length + " formulas, " + wide.length + " of " +
+              page.querySelectorAll(".pieces").length + " on their own lines scroll, " + root.scrollHeight + " px high");
     document.getElementById("said").textContent = said.join("\n");
 }
 frame.onload = () => setTimeout(measure, 500);

@@ -4,11 +4,14 @@
 -- Environment: NOTES_FIGURES, the folder of the figures; NOTES_PAGES, a file with lines "name<TAB>title", in reading order;
 -- NOTES_PAGE, this page's name.
 
-local words = dofile((PANDOC_SCRIPT_FILE:match("^.*/") or "") .. "words.lua")
+local here = PANDOC_SCRIPT_FILE:match("^.*/") or ""
+local words = dofile(here .. "words.lua")
+local formula = dofile(here .. "formula.lua")
 local escape, raw, tex = words.escape, words.raw, words.tex
 local is_html = FORMAT:match("html") ~= nil
 local figures = os.getenv("NOTES_FIGURES") or "course_notes/figures"
 local page = os.getenv("NOTES_PAGE") or "page"
+local figure_numbers = {} -- by "#id" and by file
 local labels = { question = "Question", wrong = "What goes wrong", reading = "To read", source = "In the source text" }
 
 local function read_file(path)
@@ -58,12 +61,17 @@ local function inlines_of(markdown)
     return inlines
 end
 
-local function figure_html(block, caption)
+-- A click on a picture, or the space key, fills the window with it: a box to tick, and the style does the rest.
+local function figure_html(block, caption, number)
     local a = block.attributes
     local style = a.width and ' style="width:' .. escape(a.width) .. '"' or ""
+    local class = a.file:match("svg$") and ' class="plot"' or ""
+    local id = escape(block.identifier)
+    caption:insert(1, pandoc.RawInline("html", '<a class="number" href="#' .. id .. '">Figure ' .. number .. "</a>\u{2002}"))
     return {
-        raw('<figure' .. (block.identifier ~= "" and ' id="' .. escape(block.identifier) .. '"' or "") .. ">"),
-        raw('<img src="' .. embedded(figures .. "/" .. a.file) .. '" alt="' .. escape(a.alt or "") .. '"' .. style .. " />"),
+        raw('<figure' .. (id ~= "" and ' id="' .. id .. '"' or "") .. ">"),
+        raw('<label class="zoom"><input type="checkbox" aria-label="enlarge the picture" /><img src="' .. embedded(figures .. "/" .. a.file) ..
+            '" alt="' .. escape(a.alt or "") .. '"' .. class .. style .. " /></label>"),
         raw("<figcaption>"), pandoc.Plain(caption), raw("</figcaption>"),
         raw('<pre class="command" tabindex="0">' .. escape(block.text) .. "</pre>"), raw("</figure>"),
     }
@@ -86,13 +94,13 @@ local function command_tex(command)
     return "{\\raggedright\\scriptsize\\ttfamily\\color{gray}" .. table.concat(lines, "\\\\ ") .. "\\par}"
 end
 
-local function figure_tex(block, caption)
+local function figure_tex(block, caption, number)
     local a = block.attributes
     local label = block.identifier ~= "" and tex("\\phantomsection\\label{" .. block.identifier .. "}") or tex("")
     local image = pandoc.Image({}, figures .. "/" .. a.file, "", { width = a.width or a.file:match("png$") and "58%" or "80%" })
     -- A small one stays where it is; a large one may float to where it leaves no gap.
     local place = a.width and "[H]" or "[!htbp]"
-    local body = pandoc.List({ tex("\\begin{figure}" .. place .. "\\centering "), label, image, tex("\\caption{") })
+    local body = pandoc.List({ tex("\\begin{figure}" .. place .. "\\centering "), label, image, tex("\\caption{Figure " .. number .. ".\\enspace ") })
     body:extend(caption)
     body:insert(tex("}" .. command_tex(block.text) .. "\\end{figure}"))
     return pandoc.Para(body)
@@ -114,7 +122,7 @@ local function CodeBlock(block)
         return computed_by(block)
     elseif block.classes:includes("figure") then
         local caption = inlines_of(block.attributes.caption or "")
-        return is_html and figure_html(block, caption) or figure_tex(block, caption)
+        return (is_html and figure_html or figure_tex)(block, caption, figure_numbers[block.attributes.file])
     elseif is_html then
         block.attributes.tabindex = "0" -- a box that scrolls is reached by keyboard, too
         return block
@@ -163,13 +171,26 @@ local function tile(div)
     return boxed(content, { pandoc.RawBlock("latex", "\\begin{tile}" .. label) }, { pandoc.RawBlock("latex", "\\end{tile}") })
 end
 
--- The list of chapters, made from those that there are: students do not have all.
-local function contents()
-    local items = pandoc.List()
+-- The pages that there are, in their order: students do not have all.
+local function pages()
+    local list = pandoc.List()
     for line in io.lines(os.getenv("NOTES_PAGES")) do
         local name, title = line:match("^(.-)\t(.*)$")
+        list:insert({ name = name, title = title })
+    end
+    return list
+end
+
+local function read_page(name)
+    return pandoc.read(read_file("course_notes/" .. name .. ".md"), "markdown")
+end
+
+local function contents()
+    local items = pandoc.List()
+    for _, other in ipairs(pages()) do
+        local name, title = other.name, other.title
         local sections = pandoc.List()
-        local doc = pandoc.read(read_file("course_notes/" .. name .. ".md"), "markdown")
+        local doc = read_page(name)
         for _, block in ipairs(doc.blocks) do
             if block.t == "Header" and block.level == 2 then
                 if #sections > 0 then
@@ -186,6 +207,9 @@ end
 local function Div(div)
     if div.classes:includes("contents") then
         return is_html and contents() or {}
+    elseif div.classes:includes("words") then
+        local chapters = pages():filter(function(other) return other.name:match("^%d") or other.name == "further_work" end)
+        return dofile(here .. "word_index.lua").entries(pandoc.utils.stringify(div), chapters, read_page)
     elseif div.classes:includes("answer") then
         return answer(div)
     elseif not is_html and div.classes:includes("gallery") then
@@ -197,6 +221,14 @@ local function Div(div)
         if div.classes:includes(class) then
             return aside(div, class)
         end
+    end
+end
+
+-- A link without words says which figure it leads to.
+local function Link(link)
+    if #link.content == 0 and figure_numbers[link.target] then
+        link.content = { pandoc.Str("figure\u{a0}" .. figure_numbers[link.target]) }
+        return link
     end
 end
 
@@ -240,6 +272,18 @@ local one_document = {
     end,
 }
 
+-- Before all else, as a text may name a figure that comes later.
+local function number_figures(doc)
+    local count = 0
+    pandoc.walk_block(pandoc.Div(doc.blocks), { CodeBlock = function(block)
+        if block.classes:includes("figure") then
+            count = count + 1
+            figure_numbers[block.attributes.file or ""] = formula.number(page, count)
+            figure_numbers["#" .. block.identifier] = formula.number(page, count)
+        end
+    end })
+end
+
 local function set_title(doc)
     for _, block in ipairs(doc.blocks) do
         if block.t == "Header" and block.level == 1 then
@@ -251,6 +295,11 @@ local function set_title(doc)
     os.exit(1)
 end
 
-local replace = { CodeBlock = CodeBlock, Div = Div, Image = Image, Table = words.Table, Math = words.Math, Span = words.Span,
+local function Math(math)
+    return formula.Math(math, page)
+end
+
+local first = { Pandoc = number_figures }
+local replace = { CodeBlock = CodeBlock, Div = Div, Image = Image, Link = Link, Table = words.Table, Math = Math, Span = words.Span,
                   Inlines = words.Inlines, Code = words.Code, Str = words.Str }
-return is_html and { replace, { Pandoc = set_title } } or { one_document, replace }
+return is_html and { first, replace, { Pandoc = set_title } } or { first, one_document, replace }

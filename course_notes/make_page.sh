@@ -35,6 +35,7 @@ NOTES_PAGE=$name NOTES_PAGES=$out/.pages NOTES_FIGURES=$here/figures \
 # \mathrm is upright in browsers that do not know <mstyle mathvariant>.
 flat='([^<]|</?m([inrs]|text)[^>]*>|</?mo(ver)?>|<mo(ver)? ([^s]|stretchy="f)[^>]*>)*'
 cat >"$out/.parts/$name.sed" <<SPACES
+s@<h[2-4][^>]* id="([^"]*)"[^>]*>@&<a class="permalink" href="#\1" aria-label="link to this section">¶</a>@
 /<math/!b
 :letters
 s@(<mstyle mathvariant="normal"><mi>[^<]*)</mi><mi>@\1@

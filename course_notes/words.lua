@@ -68,12 +68,6 @@ function words.Table(block)
     return is_html and { raw('<div class="wide' .. (long and " long" or "") .. '" tabindex="0">'), block, raw("</div>") } or block
 end
 
-function words.Math(math)
-    if is_html and math.mathtype == "DisplayMath" then
-        return { pandoc.RawInline("html", '<span class="formula" tabindex="0">'), math, pandoc.RawInline("html", "</span>") }
-    end
-end
-
 function words.Span(span)
     return span.attributes.from and span.content or nil
 end
