@@ -31,8 +31,8 @@ float refractive_index(const Material *glass, PhotonColour colour);
 void trace_photon_in_colour(PhotonTrace *trace, Photon photon, Rng *rng);
 
 // 3.5  What a photon becomes as it refracts: a white one in dispersing glass (glass->disperses) becomes three, each
-// with one channel of its power and that channel's colour: (Φr,0,0) RED, (0,Φg,0) GREEN, (0,0,Φb) BLUE. Any other
-// photon goes on as it is. Returns how many: 3 or 1.
+// with one channel of its power and that channel's colour, in this order: (Φr,0,0) RED, (0,Φg,0) GREEN, (0,0,Φb) BLUE.
+// All else they have from *photon. Any other photon goes on as it is. Returns how many: 3 or 1.
 int split_colour(const Photon *photon, const Material *glass, Photon children[3]);
 
 #endif

@@ -4,11 +4,19 @@
 # or half as much again as the gradings scatter, since a check need not state any. Pictures stay out: they are calibrated
 # apart.
 #
-# Usage: features_table.sh > new table      run from the checkout; environment as for grade_case.sh
+# Usage: features_table.sh > new table      run from the checkout; environment as for grade_case.sh. ONLY, a pattern: measures
+# the names that fit it, and takes the others from the table as it is.
 set -u
 salts=${SALTS:-8}
 jobs=${JOBS:-$(nproc)}
 export FEATURES=1
+
+table=tests/mistakes/features.txt
+
+# A record, its three lines as one; a name that comes twice is the first's.
+joined() {
+    paste -d $'\a' - - - | awk -F '\a' '!seen[$1]++'
+}
 
 list() {
     for solution in solutions/*/*.c; do
@@ -22,7 +30,7 @@ list() {
 }
 
 for ((i = 0; i < salts; i++)); do
-    list | SALT="table $i" xargs -P "$jobs" -L 1 bash tests/judge/grade_case.sh
+    list | grep -E "^${ONLY:-}" | SALT="table $i" xargs -P "$jobs" -L 1 bash tests/judge/grade_case.sh
 done | sort -s -k 1,1 | awk '
     function flush(    f, value, scatter, error) {
         if (name == "")
@@ -78,4 +86,4 @@ done | sort -s -k 1,1 | awk '
     }
     END {
         flush()
-    }'
+    }' | cat - ${ONLY:+"$table"} | joined | LC_ALL=C sort -t $'\a' -k 1,1 | tr '\a' '\n'

@@ -1,6 +1,7 @@
 // `call` cases: a step's arguments out of a line, its results into the output, both as its row in lib/steps/steps.def lists
 // them. A line has what the row's reader takes, then the parameters; out come the result, then what was changed or filled.
-// Vectors and colours are three numbers, a photon is position, direction, power, colour, bounce.
+// Vectors and colours are three numbers, a photon is position, direction, power, colour, bounce, path, from, flown.
+// All calls of a case draw from one stream, and look into one Gather: what one of them spoils, the next one shows.
 #include "judge/probe/probe_given.h"
 
 #include <string.h>
@@ -37,6 +38,9 @@ static void put_photon(ProbeOutput *output, Photon photon)
     probe_put_colour(output, photon.power);
     probe_put(output, (float)photon.colour);
     probe_put(output, (float)photon.bounce);
+    probe_put(output, (float)photon.path);
+    probe_put(output, (float)photon.from);
+    probe_put(output, photon.flown);
 }
 
 static Hemisphere untouched_hemisphere(void)
@@ -199,8 +203,9 @@ bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output, Erro
     long count = probe_whole(line, 1, MOST_CALLS);
     uint64_t seed = probe_seed(line);
     bool ok = read_call(step, line, &given, &parameters, error);
+    Rng rng = rng_create(seed, 0);
     for (long i = 0; ok && i < count; i++) {
-        Rng start = rng_create(seed, (uint64_t)i), rng = start;
+        Rng start = rng;
         long redraws = redraw_cap_count();
         given_renew(&given);
         call_step(step, &given, &parameters, &fresh, &rng, output);

@@ -36,6 +36,9 @@ bool read_glass_and_photon(ProbeLine *line, Given *given, Error *error)
     photon->power = probe_colour(line);
     photon->colour = probe_photon_colour(line);
     photon->bounce = (int)probe_whole(line, 0, 1000);
+    photon->path = (PhotonPath)probe_whole(line, PATH_DIRECT, PATH_INDIRECT);
+    photon->from = (uint32_t)probe_whole(line, 0, 1000);
+    photon->flown = (float)probe_number(line);
     given->photon = photon;
     return true;
 }

@@ -18,7 +18,7 @@ enum {
     NUMBERS_float = 1,
     NUMBERS_Vec3 = 3,
     NUMBERS_Colour = 3,
-    NUMBERS_Photon = 11,
+    NUMBERS_Photon = 14,
     NUMBERS_PointStatistics = 5,
     NUMBERS_Hemisphere = GATHER_RINGS * GATHER_SECTORS * 4
 };

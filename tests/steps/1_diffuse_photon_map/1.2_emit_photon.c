@@ -16,7 +16,7 @@ static const Lamp lamps[] = {
 #define LAMPS   (int)(sizeof lamps / sizeof *lamps)
 #define SAMPLES 16000
 #define A_FEW   40
-#define FLOATS  11 // position, direction, power, colour, bounce
+#define FLOATS  14 // position, direction, power, colour, bounce, and what photon_fly keeps
 #define SIDE    10 // cells along a side of the light
 
 // What a lamp's rectangle gives, as tests/judge/probe/probe_calls.c works it out.

@@ -15,10 +15,10 @@ typedef struct {
     double degrees, along[3]; // along: unit, in the surface, the way the light goes
 } Arrival;
 
-// Two unit vectors at right angles, from a list without pattern; the first normal is +y.
-static void surface(int number, double normal[3], double along[3])
+// Two unit vectors at right angles: first +y, then from a list without pattern, the last two as the seed has them.
+static void surface(int number, uint64_t seed, double normal[3], double along[3])
 {
-    uint64_t h = hash_u64(31u + (uint64_t)number);
+    uint64_t h = hash_u64((number % NORMALS < 2 ? 31u : seed) + (uint64_t)number);
     double z = number ? 2.0 * (double)(h & 0xffff) / 65535.0 - 1.0 : 0.0;
     double turn = number ? (double)(h >> 16 & 0xffff) / 65535.0 * 6.283185307 : 1.570796327;
     double r = sqrt(1.0 - z * z), roll = (double)(h >> 32 & 0xffff) / 65535.0 * 6.283185307;
@@ -30,11 +30,11 @@ static void surface(int number, double normal[3], double along[3])
     }
 }
 
-static Arrival arrival(int number)
+static Arrival arrival(int number, uint64_t seed)
 {
     Arrival a = {.eta = (float)etas[number / (ANGLES * NORMALS)], .degrees = degrees[number / NORMALS % ANGLES]};
     double normal[3], angle = a.degrees * (double)PI / 180.0;
-    surface(number % NORMALS + (number % NORMALS ? number : 0), normal, a.along);
+    surface(number % NORMALS ? number : 0, seed, normal, a.along);
     for (int i = 0; i < 3; i++) {
         a.normal[i] = (float)normal[i];
         a.direction[i] = (float)(sin(angle) * a.along[i] - cos(angle) * normal[i]);
@@ -45,7 +45,7 @@ static Arrival arrival(int number)
 static void plan_snell(Plan *plan)
 {
     for (int number = 0; number < ETAS * ANGLES * NORMALS; number++) {
-        Arrival a = arrival(number);
+        Arrival a = arrival(number, plan->seed);
         double arguments[7];
         for (int i = 0; i < 3; i++) {
             arguments[i] = (double)a.direction[i];
@@ -117,7 +117,7 @@ static void judge_through(const Arrival *a, const Found *f, double along, double
 static void judge_snell(const Results *results, Finding *finding)
 {
     for (int number = 0; number < ETAS * ANGLES * NORMALS; number++) {
-        Arrival a = arrival(number);
+        Arrival a = arrival(number, results->seed);
         const Numbers *numbers = &results->cases[number];
         Found f = found_in(numbers, &a);
         double eta = (double)a.eta, along = eta * sin(a.degrees * (double)PI / 180.0);
