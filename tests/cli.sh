@@ -25,6 +25,7 @@ expect 2 "--photons 1e6: expected a whole number" "$program" render $scene -o "$
 expect 2 "--k -3" "$program" render $scene -o "$work/a.png" --k -3
 expect 2 "--radius nan" "$program" render $scene -o "$work/a.png" --radius nan
 expect 2 "--radius inf" "$program" render $scene -o "$work/a.png" --radius inf
+expect 2 "from 0 to 1000000000" "$program" render $scene -o "$work/a.png" --radius 1e30
 expect 2 "--size 12: expected WIDTHxHEIGHT" "$program" render $scene -o "$work/a.png" --size 12
 expect 2 "--size 0x5" "$program" render $scene -o "$work/a.png" --size 0x5
 expect 2 "--seed -1" "$program" render $scene -o "$work/a.png" --seed -1
@@ -58,6 +59,23 @@ expect 1 "broken.yaml:2:1: this is not YAML" "$program" render "$work/broken.yam
 expect 1 "No such file" "$program" diff "$work/none.pfm" "$work/none.pfm"
 printf 'PF\n4 4\n-1.0\nshort' >"$work/short.pfm"
 expect 1 "short.pfm" "$program" diff "$work/short.pfm" "$work/short.pfm"
+# The deepest path, in a box of mirrors, fits the stack; a deeper one is asked for neither by a scene nor by a flag.
+sed 's/^  - {name.*type: diffuse.*/&/; s/type: diffuse.*}/type: mirror}/; $a \  - {type: rectangle, material: white, corner: [-1, -1, 4], edge_u: [0, 2, 0], edge_v: [2, 0, 0]}\nrender: {depth: 1000}' \
+    $scene >"$work/mirrors.yaml"
+expect 0 "" "$program" render "$work/mirrors.yaml" $quick --quiet -o "$work/mirrors.png"
+sed -i 's/depth: 1000/depth: 10000/' "$work/mirrors.yaml"
+expect 1 "depth is 10000; expected 1 to 1000" "$program" render "$work/mirrors.yaml" $quick -o "$work/a.png"
+sed 's/{type: rectangle, corner.*/{type: spot, position: [0, 0.9, 0], target: [0, 0, 0], angle: 0.01, power: [1, 1, 1]}/' $scene >"$work/needle.yaml"
+expect 1 "angle is 0.01; expected 0.1 to 180 degrees" "$program" render "$work/needle.yaml" $quick -o "$work/a.png"
+
+# Where nothing can be written is said before the work, which here would take an hour.
+expect 1 "No such file" timeout 20 "$program" render $scene --photons 1000000000 -o "$work/no/such/place.png"
+expect 1 "No such file" timeout 20 "$program" photons $scene --photons 1000000000 -o "$work/no/such/place.ply"
+for command in "steps" "render $scene $quick -o $work/full.png --json --quiet" "diff $work/full.png $work/full.png --json"; do
+    "$program" $command >/dev/full 2>"$work/err"
+    check "$? == 1" "${command%% *}: a full standard output is told: $(head -1 "$work/err")"
+done
+
 if ls "$work"/a.* "$work"/*.tmp-* >/dev/null 2>&1; then bad "a failed run leaves a file behind"; else good "failed runs leave no file behind"; fi
 
 # What works: 0.
@@ -69,6 +87,40 @@ expect 0 "mean ratio" "$program" diff "$work/a.pfm" "$work/b.pfm" -o "$work/d.pn
 expect 0 '"relmse_trimmed":0' "$program" diff "$work/a.pfm" "$work/a.pfm" --json
 expect 0 "" "$program" photons $scene -o "$work/p.ply" --photons 500
 expect 0 "" "$program" photons $scene -o "$work/p.csv" --photons 500
+
+# A link leads where it led before. A run that is ended while it writes leaves nothing.
+ln -s there.png "$work/link.png"
+expect 1 "is a link that leads nowhere" "$program" render $scene $quick -o "$work/link.png"
+: >"$work/there.png"
+expect 0 "" "$program" render $scene $quick -o "$work/link.png"
+ok "a picture goes where a link leads" test -L "$work/link.png" -a -s "$work/there.png"
+"$program" photons $scene --photons 300000 -o "$work/ended.csv" --quiet &
+until ls "$work"/ended.csv* >/dev/null 2>&1; do sleep 0.01; done
+kill -TERM $!
+wait $! 2>/dev/null
+ok "ended while it writes, it leaves nothing half-written" not ls "$work"/ended.csv.tmp-*
+
+# Memory that is not there, at each place in turn: a message and code 1, nothing worse.
+cat >"$work/short.c" <<'END'
+#include <stddef.h>
+#include <stdlib.h>
+extern void *__libc_malloc(size_t size);
+void *malloc(size_t size)
+{
+    static long calls, fails = -1;
+    if (fails < 0)
+        fails = atol(getenv("FAILS"));
+    return ++calls == fails ? NULL : __libc_malloc(size);
+}
+END
+if ! nm -D "$program" | grep -q __asan && ${CC:-cc} -shared -fPIC "$work/short.c" -o "$work/short.so"; then
+    for fails in $(seq 60); do
+        FAILS=$fails LD_PRELOAD=$work/short.so "$program" diff "$work/a.png" "$work/a16.png" -o "$work/short.png" >/dev/null 2>&1
+        code=$?
+        [ "$code" -le 1 ] || bad "allocation $fails fails in diff: exit code $code"
+    done
+    good "diff with each of its allocations failing"
+fi
 
 # Every scene there is, in small.
 for every in scenes/*.yaml; do
@@ -120,7 +172,10 @@ check "$accused == 0" "few photons of right code: $accused of 50 runs accused"
 student 1.4_russian_roulette '*power = colour_scale(colour_mul(*power, reflectance), 2.0f); return rng_float(rng) < 0.9f;'
 expect 0 "or does not fit its directions: look at your step 1.4 (russian_roulette)" $play
 student 1.4_russian_roulette '(void)reflectance; *power = colour_grey(NAN); return rng_float(rng) < 0.7f;'
+rm -f "$work/c.png"
 expect 1 "one of your steps may have returned NaN" $play
+said "magenta" || bad "bad pixels are not told: $(cat "$work/err")"
+ok "a picture with bad pixels is saved" test -s "$work/c.png"
 rm "$stage1/1.4_russian_roulette.so"
 student 1.3_scatter_diffuse '(void)rng; return vec3_scale(normal, 2.0f);'
 expect 0 "at the light: your step 1.3 (scatter_diffuse) gave a direction whose length is 2, not 1" $play
@@ -133,6 +188,11 @@ rm "$stage1/1.1_reflect.so"
 
 echo 'not an object' >"$stage1/1.4_russian_roulette.so"
 expect 1 "step 1.4: cannot load" $play
+rm "$stage1/1.4_russian_roulette.so" && mkfifo "$stage1/1.4_russian_roulette.so"
+expect 1 "is not a regular file" timeout 20 $play
+rm "$stage1/1.4_russian_roulette.so"
+head -c 9000 "$build/solutions/1_diffuse_photon_map/1.4_russian_roulette.so" >"$stage1/1.4_russian_roulette.so"
+expect 1 "is cut off" $play
 mv "$stage1/1.4_russian_roulette.so" "$stage1/1.4_russian_roulete.so"
 expect 1 "1.4_russian_roulete.so: no step has this name" $play
 finish

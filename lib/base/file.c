@@ -1,6 +1,7 @@
 #include "base/file.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,22 +81,68 @@ static bool may_replace(const char *path, Error *error)
     return true;
 }
 
+// Renaming would put the file in the place of a link, too.
+static bool find_place(FileWriter *writer, Error *error)
+{
+    struct stat status;
+    if (lstat(writer->path, &status) != 0 || !S_ISLNK(status.st_mode))
+        snprintf(writer->place, sizeof writer->place, "%s", writer->path);
+    else if (!realpath(writer->path, writer->place))
+        return error_set(error, "%s: is a link that leads nowhere: %s", writer->path, strerror(errno));
+    return true;
+}
+
+static char unfinished[sizeof((FileWriter *)NULL)->beside];
+
+static void note_unfinished(const char *path)
+{
+#pragma omp critical(file_unfinished)
+    snprintf(unfinished, sizeof unfinished, "%s", path);
+}
+
+static void remove_unfinished(int number)
+{
+    unlink(unfinished);
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+void file_clean_up_when_ended(void)
+{
+    const int ends[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        if (signal(ends[i], remove_unfinished) == SIG_IGN)
+            signal(ends[i], SIG_IGN); // as nohup wants it
+}
+
 // Two programs never share a name, since it holds the process number; the attempt's number avoids files that a killed
 // program left behind.
 bool file_write_begin(FileWriter *writer, const char *path, Error *error)
 {
     *writer = (FileWriter){.path = path};
-    if (!may_replace(path, error))
+    if (!may_replace(path, error) || !find_place(writer, error))
         return false;
     errno = EEXIST;
     for (int attempt = 0; attempt < 100 && !writer->stream && errno == EEXIST; attempt++) {
-        int length = snprintf(writer->beside, sizeof writer->beside, "%s.tmp-%ld-%d", path, (long)getpid(), attempt);
+        int length =
+            snprintf(writer->beside, sizeof writer->beside, "%s.tmp-%ld-%d", writer->place, (long)getpid(), attempt);
         if (length < (int)sizeof writer->beside)
             writer->stream = fopen(writer->beside, "wbx");
         else
             errno = ENAMETOOLONG;
     }
+    if (writer->stream)
+        note_unfinished(writer->beside);
     return writer->stream || error_set(error, "%s: cannot be written: %s", path, strerror(errno));
+}
+
+bool file_may_write(const char *path, Error *error)
+{
+    FileWriter writer;
+    if (!file_write_begin(&writer, path, error))
+        return false;
+    file_write_end(&writer, false, NULL);
+    return true;
 }
 
 bool file_write_end(FileWriter *writer, bool keep, Error *error)
@@ -104,9 +151,10 @@ bool file_write_end(FileWriter *writer, bool keep, Error *error)
     written = fclose(writer->stream) == 0 && written;
     if (keep && !written)
         keep = error_set(error, "%s: cannot be written: %s", writer->path, strerror(errno));
-    if (keep && rename(writer->beside, writer->path) != 0)
+    if (keep && rename(writer->beside, writer->place) != 0)
         keep = error_set(error, "%s: cannot be put in place: %s", writer->path, strerror(errno));
     if (!keep)
         remove(writer->beside);
+    note_unfinished("");
     return keep;
 }

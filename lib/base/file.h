@@ -22,8 +22,15 @@ unsigned char *file_put_float(unsigned char *at, float value);
 typedef struct {
     FILE *stream; // write here
     const char *path;
+    char place[4096]; // where the path leads, when it is a link
     char beside[4096];
 } FileWriter;
+
+// Can `path` be written? To be asked before long work; nothing is changed.
+bool file_may_write(const char *path, Error *error);
+
+// From now on a signal that ends the program (SIGINT, SIGTERM, SIGHUP) removes the file that it last began to write.
+void file_clean_up_when_ended(void);
 
 // Opens a new file next to `path`. Refuses to replace anything but a regular file that may be written.
 bool file_write_begin(FileWriter *writer, const char *path, Error *error);

@@ -29,7 +29,7 @@ static int parse(int count, char **arguments, Arguments *a)
     *a = (Arguments){.out = NULL};
     const char *mask = NULL;
     const Flag flags[] = {
-        {"o", FLAG_TEXT, &a->out, 0, 0},        {"scale", FLAG_FLOAT, &a->scale, 0, 1e30},
+        {"o", FLAG_TEXT, &a->out, 0, 0},        {"scale", FLAG_FLOAT, &a->scale, 0, SCENE_LARGEST_NUMBER},
         {"mask", FLAG_TEXT, &mask, 0, 0},       {"blocks", FLAG_INT, &a->blocks, 1, MOST_SIDE},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
     };

@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "base/file.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -27,8 +28,18 @@ static void print_help(FILE *stream)
     fprintf(stream, "\nphotonlab COMMAND --help tells more. Try: photonlab render scenes/box_glass.yaml -o box.png\n");
 }
 
+// A command's exit code, unless a full disk took less than it printed.
+static int all_printed(int code)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return code;
+    perror("photonlab: standard output");
+    return code ? code : EXIT_INPUT;
+}
+
 int main(int count, char **arguments)
 {
+    file_clean_up_when_ended();
     if (count < 2) {
         print_help(stderr);
         return EXIT_USAGE;
@@ -39,6 +50,6 @@ int main(int count, char **arguments)
     }
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(arguments[1], commands[i].name) == 0)
-            return commands[i].run(count - 1, arguments + 1);
+            return all_printed(commands[i].run(count - 1, arguments + 1));
     return report_usage("photonlab", "no command `%s`", arguments[1]);
 }

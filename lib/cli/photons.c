@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "base/file.h"
 #include "photons/photon_file.h"
 
 #include <stdio.h>
@@ -74,7 +75,7 @@ int command_photons(int count, char **arguments)
         return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
     Scene *scene = NULL;
-    if (!steps_load(a.code, &error) || !(scene = scene_load(a.scene, &error)))
+    if (!file_may_write(a.out, &error) || !steps_load(a.code, &error) || !(scene = scene_load(a.scene, &error)))
         return report_error(&error);
     a.options.photons = a.photons ? a.photons : scene->settings.photons;
     a.options.depth = a.depth ? a.depth : scene->settings.depth;

@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "base/file.h"
 
 #include <stdio.h>
 
@@ -53,7 +54,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"integrator", FLAG_CHOICE, &a->integrator, 0, 0},
         {"photons", FLAG_LONG, &a->settings.photons, 1, MOST_PHOTONS},
         {"k", FLAG_INT, &a->settings.k, 1, MOST_K},
-        {"radius", FLAG_FLOAT, &a->settings.radius, 0, 1e30},
+        {"radius", FLAG_FLOAT, &a->settings.radius, 0, SCENE_LARGEST_NUMBER},
         {"samples", FLAG_INT, &a->settings.samples, 1, MOST_SAMPLES},
         {"size", FLAG_SIZE, a->size, 1, MOST_SIDE},
         {"depth", FLAG_INT, &a->settings.depth, 1, MOST_DEPTH},
@@ -119,7 +120,7 @@ int command_render(int count, char **arguments)
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
-    Scene *scene = scene_load(a.scene, &error);
+    Scene *scene = file_may_write(a.out, &error) ? scene_load(a.scene, &error) : NULL;
     if (!scene)
         return report_error(&error);
     a.options.settings = settings_of(scene, &a.settings);
@@ -140,15 +141,16 @@ int command_render(int count, char **arguments)
     RenderStats stats;
     bool ok = render_image(scene, &a.options, &image, &stats, &error);
     progress_bar_end(&bar);
+    bool sound = ok && image_mark_unsound(&image, a.out, &error);
     bool saved = ok && (a.bits == 16 ? image_write_png(&image, a.out, 16, &error) : image_write(&image, a.out, &error));
     image_free(&image);
     scene_free(scene);
-    if (!saved) {
+    if (!saved || !sound)
         report_error(&error);
-        if (ok && a.code)
-            report_suspects(a.options.play);
+    if (ok && !sound && a.code)
+        report_suspects(a.options.play);
+    if (!saved || !sound)
         return EXIT_INPUT;
-    }
     if (!a.quiet) {
         report_oddities(&stats.ledger, stats.photons_emitted, &stats.unsound);
         if (stats.estimates)

@@ -52,6 +52,19 @@ bool image_check_finite(const Image *image, const char *name, Error *error)
     return true;
 }
 
+bool image_mark_unsound(Image *image, const char *name, Error *error)
+{
+    Error first = {""};
+    if (image_check_finite(image, name, &first))
+        return true;
+    for (size_t i = 0; i < (size_t)image->width * (size_t)image->height; i++) {
+        Colour *c = &image->pixels[i];
+        if (!isfinite(c->r) || !isfinite(c->g) || !isfinite(c->b))
+            *c = colour(1.0f, 0.0f, 1.0f);
+    }
+    return error_set(error, "%s; in the picture such pixels are magenta", first.message);
+}
+
 // `!(x > 0)`, not `x <= 0`: it holds for NaN as well, which so becomes 0.
 float srgb_encode(float linear)
 {

@@ -46,6 +46,9 @@ bool image_write(const Image *image, const char *path, Error *error);
 bool image_write_png(const Image *image, const char *path, int bits, Error *error);
 bool image_write_pfm(const Image *image, const char *path, Error *error);
 
+// Pixels with NaN or infinity become magenta, so that the rest can be written; false, naming the first, if there were any.
+bool image_mark_unsound(Image *image, const char *name, Error *error);
+
 // True if image_write knows the path's ending; otherwise an error that names the endings it knows.
 bool image_path_is_known(const char *path, Error *error);
 

@@ -78,6 +78,11 @@ static bool read_all(Codec *codec)
 {
     if (setjmp(png_jmpbuf(codec->png)))
         return false;
+    // Our own check names the size; libpng's would only call it invalid. Metadata is skipped: none is used.
+    png_set_user_limits(codec->png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_chunk_malloc_max(codec->png, MAX_CHUNK_BYTES);
+    png_set_keep_unknown_chunks(codec->png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);
+    png_set_read_fn(codec->png, codec, on_read);
     png_read_info(codec->png, codec->info);
     long width = png_get_image_width(codec->png, codec->info);
     long height = png_get_image_height(codec->png, codec->info);
@@ -114,17 +119,10 @@ bool image_read_png_memory(Image *image, const unsigned char *bytes, size_t size
     codec.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &codec, on_error, on_warning);
     codec.info = codec.png ? png_create_info_struct(codec.png) : NULL;
     bool good = false;
-    if (codec.info) {
-        // Our own check names the size; libpng's would only call it invalid. Metadata is skipped: none is
-        // used.
-        png_set_user_limits(codec.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-        png_set_chunk_malloc_max(codec.png, MAX_CHUNK_BYTES);
-        png_set_keep_unknown_chunks(codec.png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);
-        png_set_read_fn(codec.png, &codec, on_read);
+    if (codec.info)
         good = read_all(&codec);
-    } else {
+    else
         error_set(error, "%s: no memory to read a PNG file", name);
-    }
     png_destroy_read_struct(&codec.png, &codec.info, NULL);
     if (!good)
         image_free(image);

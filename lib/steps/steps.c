@@ -5,6 +5,7 @@
 #include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,16 +46,34 @@ void steps_library_directory(char *directory, size_t size)
         snprintf(directory, size, "%.*s", (int)(slash - info.dli_fname), info.dli_fname);
 }
 
-// A stub calls todo(), so its object names that symbol. Looked for in the file, before any of its code runs.
-static bool object_calls_todo(const char *path)
+// An ELF file ends with its table of sections. The loader looks no farther than the code, and dies of what is missing.
+static bool is_cut_off(const char *bytes, size_t size)
+{
+    uint64_t table;
+    uint16_t row, rows;
+    if (size < 64 || memcmp(bytes, "\177ELF\2", 5) != 0)
+        return false; // another kind, which the loader judges
+    memcpy(&table, bytes + 0x28, sizeof table);
+    memcpy(&row, bytes + 0x3a, sizeof row);
+    memcpy(&rows, bytes + 0x3c, sizeof rows);
+    return table > size || (uint64_t)row * rows > size - table;
+}
+
+// What can be said before any of its code runs. A stub calls todo(), so its object names that symbol.
+static bool look_at_object(const StepInfo *step, const char *path, StepState *state, Error *error)
 {
     const char symbol[] = "\0photonlab_step_not_started"; // the 0 at both ends counts
     const char other[] = "\0_photonlab_step_not_started"; // as other systems spell it
     size_t size;
-    char *bytes = file_read(path, MOST_OBJECT_BYTES, &size, NULL);
-    bool found = bytes && (memmem(bytes, size, symbol, sizeof symbol) || memmem(bytes, size, other, sizeof other));
+    Error why = {""};
+    char *bytes = file_read(path, MOST_OBJECT_BYTES, &size, &why);
+    if (!bytes)
+        return error_set(error, "step %s: %s", step->id, why.message);
+    bool whole = !is_cut_off(bytes, size);
+    bool stub = memmem(bytes, size, symbol, sizeof symbol) || memmem(bytes, size, other, sizeof other);
+    *state = stub ? STEP_NOT_STARTED : STEP_STUDENT;
     free(bytes);
-    return found;
+    return whole || error_set(error, "step %s: %s is cut off; build it again", step->id, path);
 }
 
 bool steps_load_slot(const StepInfo *step, const char *path, Error *error)
@@ -78,8 +97,8 @@ static bool load_step(size_t i, const char *student_dir, const char *library, Er
     step_states[i] = STEP_REFERENCE;
     if (student_dir) {
         snprintf(path, sizeof path, "%s/%s.so", student_dir, step->file);
-        if (access(path, R_OK) == 0)
-            step_states[i] = object_calls_todo(path) ? STEP_NOT_STARTED : STEP_STUDENT;
+        if (access(path, R_OK) == 0 && !look_at_object(step, path, &step_states[i], error))
+            return false;
     }
     if (step_states[i] != STEP_STUDENT)
         snprintf(path, sizeof path, "%s/solutions/%s.so", library, step->file);

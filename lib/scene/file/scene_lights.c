@@ -119,10 +119,11 @@ static const SceneKey point_keys[] = {
     {"power", KEY_COLOUR, KEY_REQUIRED, RANGE_POWER, "all that it sends out"},
     {.name = NULL},
 };
+// Of a cone below 0.1°, 1 − cos is all rounding: its solid angle would be wrong, or 0.
 static const SceneKey spot_keys[] = {
     {"position", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the tip of its cone"},
     {"target", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a point on the cone's axis"},
-    {"angle", KEY_NUMBER, KEY_REQUIRED, RANGE_ANGLE, "between the axis and the cone's edge"},
+    {"angle", KEY_NUMBER, KEY_REQUIRED, RANGE(0.1, 180, "degrees"), "between the axis and the cone's edge"},
     {"power", KEY_COLOUR, KEY_REQUIRED, RANGE_POWER, "all that it sends out"},
     {.name = NULL},
 };
