@@ -7,7 +7,7 @@
 //   scene/    materials, lights, a camera; file/: out of YAML and OBJ; bvh/: the tree of boxes that finds what a ray meets
 //   photons/  photons in flight and at rest, and the kd-tree that finds those near a point (photon_map.h)
 //     pass/   lights emit photons, which bounce and land (trace.h: one path; photon_pass.h: all of them)
-//   render/   eye rays find surfaces through the pixels, the map tells how much light arrives there
+//   render/   eye rays find surfaces through the pixels, the map tells how much light arrives there; passes/: again and again
 //   image/    pictures, in memory and in files, and how far one is from another
 //   steps/    the parts that you write: one function each, called through the table `steps`
 //   math/     vectors, colours, random numbers
@@ -51,6 +51,7 @@
 #include "photons/pass/trace.h"       // photon_fly, photon_store
 
 #include "render/gather/gather_trace.h" // gather_send, gather_meet, gather_irradiance
+#include "render/passes/passes.h"       // Passes, passes_run
 #include "render/render.h"              // RenderOptions, render_image
 
 #include "image/difference.h" // image_difference

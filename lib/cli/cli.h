@@ -12,6 +12,7 @@
 #define EXIT_INPUT 1
 
 int command_render(int count, char **arguments);
+int command_merge(int count, char **arguments);
 int command_photons(int count, char **arguments);
 int command_diff(int count, char **arguments);
 int command_steps(int count, char **arguments);

@@ -13,6 +13,7 @@ typedef struct {
 static const Command commands[] = {
     {"render", command_render, "render a scene to a picture"},
     {"preview", command_preview, "a window on the photons, live; or a snapshot of it"},
+    {"merge", command_merge, "one picture of passes that several machines have rendered"},
     {"photons", command_photons, "write the stored photons as a point cloud"},
     {"diff", command_diff, "compare two pictures"},
     {"steps", command_steps, "list the steps to write, and hints for them"},

@@ -1,4 +1,4 @@
-#include "cli/cli.h"
+#include "cli/render_passes.h"
 #include "base/file.h"
 
 #include <stdio.h>
@@ -27,6 +27,13 @@ static const char help[] =
     "  --code DIR           play the steps built in DIR laid out like build/solutions\n"
     "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life; e.g. 2.3,1.5. Unset: 2.4 and\n"
     "                       3.4; with --code, 2.3 and 1.5 where yours are started and your 2.4 and 3.4 are not\n"
+    "  --passes N           N photon passes, whose radii shrink, and their mean; --photons and --samples (1) are those of each. The\n"
+    "                       picture is there after 1, 2, 4, 8 … passes; ctrl-c keeps the passes, in OUT.part\n"
+    "  --seconds S          passes, until so much time is over\n"
+    "  --alpha A            how quickly radii shrink (2/3); 1: they do not\n"
+    "  --radii pass|pixel   pass: the same for all pixels of a pass, by its number (default); pixel: by what each has found\n"
+    "  --resume FILE.part   go on from there: the same bytes as without a break\n"
+    "  --part K/M           only part K of M of the passes, into -o OUT.part, for `photonlab merge`\n"
     "  --glass-sides 1|2    1: eye rays bend at the front of glass only, the looking glass of the source text\n"
     "  --quiet              no progress and no summary\n"
     "  --json               one line of JSON on standard output: counts, rays, seconds, the energy ledger\n";
@@ -38,6 +45,7 @@ typedef struct {
     RenderSettings settings; // 0 or −1: no flag, so the scene's own value counts
     int bits;
     bool quiet, json;
+    PassFlags passes;
     RenderOptions options;
 } Arguments;
 
@@ -47,6 +55,7 @@ static int parse(int count, char **arguments, Arguments *a)
     *a = (Arguments){.integrator = {integrator_names, -1}, // −1: as the scene says
                      .bits = 8,
                      .settings = {.radius = -1.0f},
+                     .passes = {.radii = {radii_names, -1}},
                      .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
     const Flag flags[] = {
         {"o", FLAG_TEXT, &a->out, 0, 0},
@@ -63,6 +72,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"reuse", FLAG_FLOAT, &a->options.reuse, 0, 1},
         {"code", FLAG_TEXT, &a->code, 0, 0},
         {"steps", FLAG_TEXT, &a->steps, 0, 0},
+        PASS_FLAGS(a->passes),
         {"glass-sides", FLAG_INT, &a->options.glass_sides, 1, 2},
         {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
@@ -80,20 +90,25 @@ static int parse(int count, char **arguments, Arguments *a)
     a->settings.height = a->size[1];
     if (a->options.glass_sides == 1 && a->integrator.chosen == INTEGRATOR_PATH)
         return report_usage("photonlab render", "--glass-sides 1: the path tracer knows whole glass only");
+    wrong = pass_flags_check(&a->passes, a->out);
+    if (wrong)
+        return wrong;
     Error error = {""};
-    if (!image_path_is_known(a->out, &error) || (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
+    bool is_known = file_ends_in(a->out, PASS_FILE_ENDING) || image_path_is_known(a->out, &error);
+    if (!is_known || (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
         return report_usage("photonlab render", "%s", error.message);
     return 0;
 }
 
-// The scene's settings, but for those that flags replace.
-static RenderSettings settings_of(const Scene *scene, const RenderSettings *flags)
+// The scene's settings, but for those that flags replace. Many passes have an eye ray each.
+static RenderSettings settings_of(const Scene *scene, const RenderSettings *flags, bool by_passes)
 {
     const RenderSettings *own = &scene->settings;
+    int samples = by_passes ? 1 : own->samples;
     return (RenderSettings){
         .width = flags->width ? flags->width : own->width,
         .height = flags->height ? flags->height : own->height,
-        .samples = flags->samples ? flags->samples : own->samples,
+        .samples = flags->samples ? flags->samples : samples,
         .photons = flags->photons ? flags->photons : own->photons,
         .k = flags->k ? flags->k : own->k,
         .radius = flags->radius >= 0.0f ? flags->radius : own->radius,
@@ -103,14 +118,27 @@ static RenderSettings settings_of(const Scene *scene, const RenderSettings *flag
 
 static void print_json(const RenderStats *s)
 {
-    printf("{\"photons_emitted\":%ld,\"photons_stored\":%zu,\"rays\":%llu,\"photon_rays\":%llu,\"eye_rays\":%llu,"
-           "\"map_bytes\":%zu,\"seconds\":{\"photons\":%.6f,\"build\":%.6f,\"eye\":%.6f},\"redraw_caps\":%ld,"
-           "\"unsound\":%ld,",
-           s->photons_emitted, s->photons_stored, (unsigned long long)(s->photon_rays + s->eye_rays),
-           (unsigned long long)s->photon_rays, (unsigned long long)s->eye_rays, s->map_bytes, s->photon_seconds,
-           s->build_seconds, s->eye_seconds, redraw_cap_count(), s->unsound.total);
+    printf(
+        "{\"passes\":%d,\"photons_emitted\":%ld,\"photons_stored\":%zu,\"rays\":%llu,\"photon_rays\":%llu,\"eye_rays\":%llu,"
+        "\"map_bytes\":%zu,\"seconds\":{\"photons\":%.6f,\"build\":%.6f,\"eye\":%.6f},\"redraw_caps\":%ld,"
+        "\"unsound\":%ld,",
+        s->passes, s->photons_emitted, s->photons_stored, (unsigned long long)(s->photon_rays + s->eye_rays),
+        (unsigned long long)s->photon_rays, (unsigned long long)s->eye_rays, s->map_bytes, s->photon_seconds,
+        s->build_seconds, s->eye_seconds, redraw_cap_count(), s->unsound.total);
     print_ledger_json(&s->ledger);
     printf("}\n");
+}
+
+static bool render_once(Arguments *a, const Scene *scene, bool *sound, RenderStats *stats, Error *error)
+{
+    ProgressBar bar;
+    Image image = {0, 0, NULL};
+    a->options.progress = progress_bar_start(&bar, a->quiet);
+    bool ok = render_image(scene, &a->options, &image, stats, error);
+    progress_bar_end(&bar);
+    ok = ok && write_picture(&image, a->out, a->bits, sound, error);
+    image_free(&image);
+    return ok;
 }
 
 int command_render(int count, char **arguments)
@@ -123,9 +151,10 @@ int command_render(int count, char **arguments)
     Scene *scene = file_may_write(a.out, &error) ? scene_load(a.scene, &error) : NULL;
     if (!scene)
         return report_error(&error);
-    a.options.settings = settings_of(scene, &a.settings);
+    a.options.settings = settings_of(scene, &a.settings, pass_flags_given(&a.passes));
     a.options.integrator = a.integrator.chosen < 0 ? scene->settings.integrator : (Integrator)a.integrator.chosen;
-    if ((a.code || a.options.integrator != INTEGRATOR_PATH) && !steps_load(a.code, &error)) {
+    if ((a.code || a.options.integrator != INTEGRATOR_PATH || pass_flags_given(&a.passes)) &&
+        !steps_load(a.code, &error)) {
         scene_free(scene);
         return report_error(&error);
     }
@@ -135,21 +164,17 @@ int command_render(int count, char **arguments)
         report_steps(a.options.play, a.options.integrator == INTEGRATOR_PATH);
     parallel_limit(a.options.threads);
 
-    ProgressBar bar;
-    a.options.progress = progress_bar_start(&bar, a.quiet);
-    Image image = {0, 0, NULL};
     RenderStats stats;
-    bool ok = render_image(scene, &a.options, &image, &stats, &error);
-    progress_bar_end(&bar);
-    bool sound = ok && image_mark_unsound(&image, a.out, &error);
-    bool saved = ok && (a.bits == 16 ? image_write_png(&image, a.out, 16, &error) : image_write(&image, a.out, &error));
-    image_free(&image);
+    bool sound = true;
+    PassJob job = {a.scene, a.out, a.bits, a.quiet, &sound};
+    bool ok = pass_flags_given(&a.passes) ? render_by_passes(&job, &a.passes, scene, &a.options, &stats, &error)
+                                          : render_once(&a, scene, &sound, &stats, &error);
     scene_free(scene);
-    if (!saved || !sound)
+    if (!ok)
         report_error(&error);
-    if (ok && !sound && a.code)
+    if (!sound && a.code)
         report_suspects(a.options.play);
-    if (!saved || !sound)
+    if (!ok)
         return EXIT_INPUT;
     if (!a.quiet) {
         report_oddities(&stats.ledger, stats.photons_emitted, &stats.unsound);

@@ -7,7 +7,8 @@
 #define ALIVE_WEIGHT  0.05f // … and below this a ray survives by roulette
 #define CAUSTIC_SHARE 4     // caustics are estimated from k/4 photons …
 #define LOBE_RAYS     4     // GATHER: sent into the lobe of a glossy surface that the eye sees straight
-#define CAUSTIC_LEAST 20    // … but not from fewer than these, if k is larger
+#define CAUSTIC_LEAST 20    // … but not from fewer than these, if k is larger; in a pass: from a disk of
+#define CAUSTIC_REACH 0.5f  // this part of its radius
 
 typedef struct {
     Colour weight;       // the share of what it brings back that reaches the camera: tells bright rays from faint ones
@@ -46,11 +47,16 @@ Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo)
     if (photon_map_count(eye->caustic) == 0)
         return colour_grey(0.0f);
     size_t k = eye->gather.k;
-    eye->gather.k = k / CAUSTIC_SHARE > CAUSTIC_LEAST ? k / CAUSTIC_SHARE : k < CAUSTIC_LEAST ? k : CAUSTIC_LEAST;
+    float radius = eye->gather.radius;
+    if (eye->options->pass)
+        eye->gather.radius *= CAUSTIC_REACH;
+    else
+        eye->gather.k = k / CAUSTIC_SHARE > CAUSTIC_LEAST ? k / CAUSTIC_SHARE : k < CAUSTIC_LEAST ? k : CAUSTIC_LEAST;
     Colour radiance = !material_kind(hit->material)->lobe
                           ? matt_from_map(eye, eye->caustic, &eye->caustic_cache, hit, hit->material, wo)
                           : steps.estimate_radiance(eye->caustic, hit, wo, &eye->gather);
     eye->gather.k = k;
+    eye->gather.radius = radius;
     return radiance;
 }
 
@@ -109,22 +115,28 @@ static Colour rough_surface(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
     if (eye->options->integrator == INTEGRATOR_PHOTONS_ONLY)
         return steps.estimate_radiance(eye->rest, hit, wo, &eye->gather);
     Colour sum = direct_light(eye, hit, wo);
-    sum = colour_add(sum, caustic_light(eye, hit, wo));
+    if (eye->has_point)
+        point_collect(eye, eye->caustic, hit, wo, carried.weight);
+    else
+        sum = colour_add(sum, caustic_light(eye, hit, wo));
     bool has_lobe = material_kind(material)->lobe;
     if (eye->options->integrator == INTEGRATOR_GATHER) {
         Colour irradiance = final_gather_irradiance(eye, hit, wo, carried.distance);
         sum = colour_add(sum, colour_scale(colour_mul(material->diffuse, irradiance), 1.0f / PI));
         return has_lobe ? colour_add(sum, indirect_lobe(eye, hit, wo, carried)) : sum;
     }
-    if (!has_lobe)
-        return colour_add(sum, matt_from_map(eye, eye->rest, &eye->rest_cache, hit, material, wo));
     Material matt = *material;
-    matt.type = MATERIAL_DIFFUSE;
-    matt.kind = NULL;
     Hit on_matt = *hit;
-    on_matt.material = &matt;
-    sum = colour_add(sum, matt_from_map(eye, eye->rest, &eye->rest_cache, &on_matt, material, wo));
-    return colour_add(sum, indirect_lobe(eye, hit, wo, carried));
+    if (has_lobe) {
+        matt.type = MATERIAL_DIFFUSE;
+        matt.kind = NULL;
+        on_matt.material = &matt;
+    }
+    if (eye->has_point)
+        point_collect(eye, eye->rest, &on_matt, wo, carried.weight);
+    else
+        sum = colour_add(sum, matt_from_map(eye, eye->rest, &eye->rest_cache, &on_matt, material, wo));
+    return has_lobe ? colour_add(sum, indirect_lobe(eye, hit, wo, carried)) : sum;
 }
 
 static Colour only_channel(int channel, float value)

@@ -29,6 +29,9 @@ typedef struct {
     IrradianceCache *own_cache;              // GATHER: estimates made in this tile
     Remembered memory[EYE_MEMORY];
     unsigned remembered;
+    bool has_point; // photons go into the statistics of the pixel's point, and so into these:
+    int found;      // by the present ray
+    Colour flux;    // W/sr
     Rng rng;
     Sampler sampler;
     uint64_t rays;
@@ -47,6 +50,9 @@ Colour direct_light(Eye *eye, const Hit *hit, Vec3 wo);
 
 // Light of the caustic map.
 Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo);
+
+// Photons of a map within the radius of the pixel's point, as this much of their light reaches the eye.
+void point_collect(Eye *eye, const PhotonMap *map, const Hit *hit, Vec3 wo, Colour weight);
 
 // Draws wi for a rough surface from (choice, u, v) in [0,1)³: a lobe about wo's mirror direction with probability
 // lobe_share, otherwise the cosine hemisphere; *pdf is the density of the mixture. False when the draw fell below the

@@ -9,25 +9,44 @@
 
 #define TILE 16 // pixels a side; a thread's share of work, and how far estimates are shared
 
+// A ray's photons go into the point of its pixel.
+static void begin_point(Eye *eye, uint64_t pixel)
+{
+    eye->gather.radius = eye->options->pass->points[pixel].radius;
+    eye->found = 0;
+    eye->flux = colour_grey(0.0f);
+}
+
+static void end_point(const Eye *eye, uint64_t pixel)
+{
+    const RenderPass *pass = eye->options->pass;
+    pass->points[pixel] = steps.add_photons(pass->points[pixel], eye->found, eye->flux, pass->alpha);
+}
+
 static void render_pixel(Eye *eye, Image *image, int column, int row)
 {
     const RenderSettings *settings = &eye->options->settings;
+    const RenderPass *pass = eye->options->pass;
     uint64_t pixel = (uint64_t)row * (uint64_t)settings->width + (uint64_t)column;
     float aspect = (float)settings->width / (float)settings->height;
     Colour sum = colour_grey(0.0f);
     memset(eye->memory, 0, sizeof eye->memory);
     eye->remembered = 0;
-    eye->sampler.pixel = hash_u64(eye->options->seed ^ hash_u64(pixel));
+    eye->sampler.pixel = hash_u64((pass ? pass->seed : eye->options->seed) ^ hash_u64(pixel));
     for (int s = 0; s < settings->samples; s++) {
-        eye->sampler.index = (uint32_t)s;
+        eye->sampler.index = (pass ? pass->first_sample : 0) + (uint32_t)s;
         eye->rng = rng_create(~eye->options->seed, pixel * (uint64_t)settings->samples + (uint64_t)s);
         float u, v;
         sampler_point(&eye->sampler, SAMPLER_FILM, &u, &v);
         float x = ((float)column + u) / (float)settings->width;
         float y = ((float)row + v) / (float)settings->height;
         Ray ray = camera_ray(&eye->scene->camera, x, y, aspect);
+        if (eye->has_point)
+            begin_point(eye, pixel);
         Colour radiance =
             eye->options->integrator == INTEGRATOR_PATH ? path_radiance(eye, ray) : eye_radiance(eye, &ray);
+        if (eye->has_point)
+            end_point(eye, pixel);
         sum = colour_add(sum, radiance);
     }
     *image_at(image, column, row) = colour_scale(sum, 1.0f / (float)settings->samples);
@@ -56,6 +75,14 @@ static void eye_free(Eye *eye)
     free(eye);
 }
 
+// Of one map: that many may lie within a pass's radius. Memory is only used as far as it is written to.
+static size_t most_photons(const Maps *maps)
+{
+    size_t caustic = maps->caustic ? photon_map_count(maps->caustic) : 0;
+    size_t rest = maps->rest ? photon_map_count(maps->rest) : 0;
+    return caustic > rest ? caustic : rest;
+}
+
 static Eye *eye_create(const Scene *scene, const RenderOptions *options, const Maps *maps, FinalGather *final)
 {
     Eye *eye = calloc(1, sizeof *eye);
@@ -63,12 +90,17 @@ static Eye *eye_create(const Scene *scene, const RenderOptions *options, const M
         return NULL;
     size_t k = (size_t)options->settings.k;
     float radius = options->settings.radius > 0.0f ? options->settings.radius : INFINITY;
+    if (options->pass) {
+        k = most_photons(maps);
+        radius = options->pass->radius;
+    }
     NearPhoton *near = malloc(PHOTON_MAP_NEAREST_CAPACITY(k) * sizeof *near);
     eye->scene = scene;
     eye->options = options;
     eye->caustic = maps->caustic;
     eye->rest = maps->rest;
     eye->gather = (Gather){.k = k, .radius = radius, .glossy = options->play.glossy, .near = near};
+    eye->has_point = options->pass && options->pass->points;
     eye->final = final;
     eye->own_cache = final ? irradiance_cache_create(GATHER_ACCURACY, final->size) : NULL;
     if (near && (!final || eye->own_cache))

@@ -6,20 +6,32 @@
 #include "photons/pass/photon_pass.h"
 #include "steps/steps.h"
 
+// A picture that is one pass of many (render/passes), with photons of its own.
+typedef struct {
+    float radius;          // m: all photons nearer than this count, caustic ones nearer than half of it; k is not asked
+    uint64_t seed;         // the passes' eye rays are one sequence, …
+    uint32_t first_sample; // … which goes on here
+    PointStatistics
+        *points; // PHOTONS: one a pixel, row by row, with a radius of its own; photons go in here, by step 5.3
+    float alpha; // for it, and not into the picture. NULL: `radius` counts
+} RenderPass;
+
 typedef struct {
     Integrator integrator;
     RenderSettings settings;
     uint64_t seed;
-    int threads;     // 0: all cores
-    StepChoice play; // 2.3 or 2.4, 1.5 or 3.4
-    int glass_sides; // 2; 1: eye rays bend on the way into glass only, the source text's looking glass
-    float reuse;     // PHOTONS: estimates from the maps are shared within this part of their radius; 0: none is
+    int threads;            // 0: all cores
+    StepChoice play;        // 2.3 or 2.4, 1.5 or 3.4
+    int glass_sides;        // 2; 1: eye rays bend on the way into glass only, the source text's looking glass
+    float reuse;            // PHOTONS: estimates from the maps are shared within this part of their radius; 0: none is
+    const RenderPass *pass; // NULL: a picture by itself
     Progress progress;
 } RenderOptions;
 
 #define REUSE_DEFAULT 0.35f
 
 typedef struct {
+    int passes; // 0: a picture by itself
     long photons_emitted;
     size_t photons_stored;
     uint64_t photon_rays; // traced by photons

@@ -1,0 +1,256 @@
+#define _GNU_SOURCE // sigaction
+#include "cli/render_passes.h"
+#include "base/file.h"
+#include "image/difference.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+const char *const radii_names[] = {"pass", "pixel", NULL};
+
+bool pass_flags_given(const PassFlags *flags)
+{
+    return flags->passes || flags->seconds > 0.0f || flags->resume;
+}
+
+// "3/8"; false: it is none.
+static bool parse_part(const char *text, PassOrigin *origin)
+{
+    char after;
+    return sscanf(text, "%d/%d%c", &origin->part, &origin->parts, &after) == 2 && origin->part >= 1 &&
+           origin->part <= origin->parts;
+}
+
+int pass_flags_check(const PassFlags *f, const char *out)
+{
+    const char *command = "photonlab render";
+    PassOrigin origin;
+    bool is_part_file = file_ends_in(out, PASS_FILE_ENDING);
+    if (!pass_flags_given(f)) {
+        if (is_part_file || f->part || f->alpha > 0.0f || f->radii.chosen >= 0)
+            return report_usage(command, "--alpha, --radii, --part and files of passes (" PASS_FILE_ENDING
+                                         ") belong to --passes or --seconds");
+        return 0;
+    }
+    if (f->part && !parse_part(f->part, &origin))
+        return report_usage(command, "--part %s: expected a part and how many there are, 3/8 say", f->part);
+    if (f->part && (!f->passes || f->seconds > 0.0f))
+        return report_usage(command, "--part %s: expected --passes, which it is a part of, and no --seconds", f->part);
+    if (f->part && origin.parts > f->passes)
+        return report_usage(command, "--part %s: %d passes cannot be parted into %d", f->part, f->passes, origin.parts);
+    if (f->part && !is_part_file)
+        return report_usage(command,
+                            "--part %s: gives no picture but a file for `photonlab merge`: -o part%d" PASS_FILE_ENDING,
+                            f->part, origin.part);
+    if (f->part && f->radii.chosen == 1)
+        return report_usage(command, "--part %s: with --radii pixel each pass needs the one before", f->part);
+    return 0;
+}
+
+// ---- somebody wants it to stop ----
+
+static volatile sig_atomic_t stop_asked;
+static const int stops[] = {SIGINT, SIGTERM};
+static struct sigaction before[2]; // what was to be done otherwise
+
+static void ask_to_stop(int signal)
+{
+    static const char words[] = "\nthis pass is the last; once more: at once\n";
+    stop_asked = 1;
+    sigaction(signal, &before[signal == SIGTERM], NULL);
+    ssize_t ignored = write(STDERR_FILENO, words, sizeof words - 1);
+    (void)ignored;
+}
+
+static void watch_for_stop(void)
+{
+    struct sigaction action = {.sa_handler = ask_to_stop, .sa_flags = SA_RESTART};
+    sigemptyset(&action.sa_mask);
+    for (int i = 0; i < 2; i++) {
+        sigaction(stops[i], &action, &before[i]);
+        if (before[i].sa_handler == SIG_IGN) // as the shell wants it of what runs in the background
+            sigaction(stops[i], &before[i], NULL);
+    }
+}
+
+// ---- while it runs ----
+
+typedef struct {
+    const PassJob *job;
+    const PassFlags *flags;
+    PassOrigin origin;
+    const Passes *passes;
+    ProgressBar bar;
+    Progress drawn;
+    double started;
+    Image before;   // the picture when there were half as many passes; no pixels: it is not known
+    double error;   // expected, at `measured` passes; 0: not known
+    int measured;   // passes
+    bool failed;    // to write
+    Error *problem; // why
+} Talk;
+
+static int wanted(const Talk *talk)
+{
+    return talk->passes->last - talk->passes->first;
+}
+
+// Progress of a pass into that of all.
+static void show_progress(void *user, const char *phase, double fraction)
+{
+    Talk *talk = user;
+    double in_pass = strcmp(phase, "eye rays") == 0 ? 0.5 + 0.5 * fraction : 0.5 * fraction;
+    double all = (talk->passes->done + in_pass) / wanted(talk);
+    if (talk->flags->seconds > 0.0f)
+        all = fmax(all, fmin(1.0, (clock_seconds() - talk->started) / (double)talk->flags->seconds));
+    progress_report(&talk->drawn, "passes", all);
+}
+
+bool write_picture(Image *image, const char *path, int bits, bool *sound, Error *error)
+{
+    *sound = image_mark_unsound(image, path, error);
+    bool saved = bits == 16 ? image_write_png(image, path, 16, error) : image_write(image, path, error);
+    return saved && *sound;
+}
+
+// The file that was asked for, as far as the passes are.
+static bool write_out(Talk *talk, Image *image)
+{
+    const PassJob *job = talk->job;
+    return file_ends_in(job->out, PASS_FILE_ENDING)
+               ? pass_file_write(job->out, &talk->origin, talk->passes, talk->problem)
+               : write_picture(image, job->out, job->bits, job->sound, talk->problem);
+}
+
+// Half of the passes and all of them: how far they are apart tells how far all are from the mean of infinitely many.
+static void measure(Talk *talk, Image *image)
+{
+    ImageDifference difference;
+    bool known =
+        talk->before.pixels && image_difference(&talk->before, image, (ImageMask){0, 0, 0, 0}, &difference, NULL);
+    talk->error = known ? difference.relative_mse_trimmed : 0.0;
+    talk->measured = talk->passes->done;
+    image_free(&talk->before);
+    talk->before = *image;
+    *image = (Image){0, 0, NULL};
+}
+
+static double expected_error(const Talk *talk, int passes)
+{
+    return talk->error * pow((double)talk->measured / passes, (double)talk->passes->alpha);
+}
+
+static void tell(Talk *talk)
+{
+    int done = talk->passes->done;
+    if (talk->job->quiet)
+        return;
+    progress_bar_end(&talk->bar);
+    fprintf(stderr, "%d pass%s, %.1f s", done, done == 1 ? "" : "es", clock_seconds() - talk->started);
+    if (talk->error > 0.0)
+        fprintf(stderr, ": relMSE about %.1e", expected_error(talk, done));
+    if (talk->error > 0.0 && done < wanted(talk) && talk->flags->seconds <= 0.0f)
+        fprintf(stderr, ", after %d about %.1e", wanted(talk), expected_error(talk, wanted(talk)));
+    fprintf(stderr, "\n");
+}
+
+// A picture after 1, 2, 4, 8 … passes.
+static bool after_pass(void *user, const Passes *passes)
+{
+    Talk *talk = user;
+    if ((passes->done & (passes->done - 1)) == 0) {
+        Image image = {0, 0, NULL};
+        talk->failed = !passes_picture(passes, &image, talk->problem) || !write_out(talk, &image);
+        if (!talk->failed)
+            measure(talk, &image);
+        image_free(&image);
+        if (talk->failed)
+            return false;
+        tell(talk);
+    }
+    return !stop_asked &&
+           (talk->flags->seconds <= 0.0f || clock_seconds() - talk->started < (double)talk->flags->seconds);
+}
+
+// ---- before and after ----
+
+// What there is already, if it belongs to this picture. Its --passes may be others, unless it is a part.
+static bool resume(const PassFlags *flags, PassOrigin *origin, Passes *passes, Error *error)
+{
+    char differs[800];
+    PassOrigin found;
+    float alpha = passes->alpha;
+    if (!pass_file_read(flags->resume, &found, passes, error))
+        return false;
+    passes->alpha = alpha;
+    if (pass_origin_differs(&found, origin, differs, sizeof differs))
+        return error_set(error, "%s: %s", flags->resume, differs);
+    if (!flags->passes && flags->seconds <= 0.0f)
+        origin->all = found.all;
+    if (!flags->part) {
+        origin->part = found.part;
+        origin->parts = found.parts;
+    }
+    if (found.part != origin->part || found.parts != origin->parts || (found.parts > 1 && found.all != origin->all))
+        return error_set(error, "%s: is part %d/%d of %d passes; expected part %d/%d of %d", flags->resume, found.part,
+                         found.parts, found.all, origin->part, origin->parts, origin->all);
+    pass_origin_range(origin, &passes->first, &passes->last);
+    return passes->done <= passes->last - passes->first ||
+           error_set(error, "%s: holds %d passes already; expected at most %d", flags->resume, passes->done,
+                     passes->last - passes->first);
+}
+
+static bool finish(Talk *talk, bool stopped, Error *error)
+{
+    const Passes *passes = talk->passes;
+    Image image = {0, 0, NULL};
+    bool ok = passes_picture(passes, &image, error) && write_out(talk, &image);
+    image_free(&image);
+    if (ok && talk->measured != passes->done)
+        tell(talk);
+    if (!ok || !stopped)
+        return ok;
+    char path[4096];
+    snprintf(path, sizeof path, "%s%s", talk->job->out,
+             file_ends_in(talk->job->out, PASS_FILE_ENDING) ? "" : PASS_FILE_ENDING);
+    return pass_file_write(path, &talk->origin, passes, error) &&
+           error_set(error, "stopped after %d of %d passes; to go on: the same command with --resume %s", passes->done,
+                     wanted(talk), path);
+}
+
+bool render_by_passes(const PassJob *job, const PassFlags *flags, const Scene *scene, const RenderOptions *options,
+                      RenderStats *stats, Error *error)
+{
+    Passes passes = {.alpha = flags->alpha > 0.0f ? flags->alpha : PASS_ALPHA, .by_pixel = flags->radii.chosen == 1};
+    Talk talk = {.job = job,
+                 .flags = flags,
+                 .origin = {.part = 1, .parts = 1, .all = flags->passes ? flags->passes : MOST_PASSES},
+                 .passes = &passes,
+                 .problem = error,
+                 .started = clock_seconds()};
+    if (passes.by_pixel && options->integrator != INTEGRATOR_PHOTONS)
+        return error_set(error, "--radii pixel: expected the integrator photons");
+    if (flags->part)
+        parse_part(flags->part, &talk.origin);
+    if (!pass_origin_scene(job->scene, scene, &talk.origin, error))
+        return false;
+    pass_origin_settings(options, &passes, &talk.origin);
+    pass_origin_range(&talk.origin, &passes.first, &passes.last);
+    bool ok = !flags->resume || resume(flags, &talk.origin, &passes, error);
+
+    RenderOptions own = *options;
+    talk.drawn = progress_bar_start(&talk.bar, job->quiet);
+    own.progress = talk.drawn.report ? (Progress){show_progress, &talk} : talk.drawn;
+    passes.heard = after_pass;
+    passes.user = &talk;
+    watch_for_stop();
+    ok = ok && passes_run(scene, &own, &passes, stats, error) && !talk.failed;
+    progress_bar_end(&talk.bar);
+    ok = ok && finish(&talk, stop_asked && passes.done < wanted(&talk), error);
+    image_free(&talk.before);
+    passes_free(&passes);
+    return ok;
+}

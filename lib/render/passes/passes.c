@@ -1,0 +1,117 @@
+#include "render/passes/passes.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static uint64_t seed_of(uint64_t seed, int pass)
+{
+    return hash_u64(seed + hash_u64((uint64_t)pass));
+}
+
+// From pass number i, counted from 1, to the next by step 5.1.
+static bool shrink(float *radius, int i, float alpha, Error *error)
+{
+    *radius = steps.next_radius(*radius, i, alpha);
+    return (*radius > 0.0f && *radius < INFINITY) ||
+           error_set(error, "step 5.1 gives pass %d a radius of %g m", i + 1, (double)*radius);
+}
+
+static bool begin(const Scene *scene, const RenderOptions *options, Passes *passes, Error *error)
+{
+    if (passes->radius <= 0.0f && options->settings.radius > 0.0f)
+        passes->radius = options->settings.radius;
+    if (passes->radius <= 0.0f && options->integrator != INTEGRATOR_PATH &&
+        !pass_first_radius(scene, options, &passes->radius, error))
+        return false;
+    if (passes->radius <= 0.0f) { // nobody will find a photon
+        Box all = bvh_bounds(scene->bvh);
+        passes->radius = 0.01f * vec3_length(vec3_sub(all.high, all.low));
+    }
+    if (!passes->by_pixel || passes->points)
+        return true;
+    size_t pixels = (size_t)options->settings.width * (size_t)options->settings.height;
+    passes->points = malloc(pixels * sizeof *passes->points);
+    for (size_t i = 0; passes->points && i < pixels; i++)
+        passes->points[i] = (PointStatistics){0.0f, passes->radius, {0.0f, 0.0f, 0.0f}};
+    return passes->points || error_set(error, "not enough memory for the statistics of %zu pixels", pixels);
+}
+
+static void add_stats(RenderStats *sum, const RenderStats *pass)
+{
+    RenderStats all = *pass; // the ledger's, the map's size
+    all.photons_emitted += sum->photons_emitted;
+    all.photons_stored += sum->photons_stored;
+    all.photon_rays += sum->photon_rays;
+    all.eye_rays += sum->eye_rays;
+    all.photon_seconds += sum->photon_seconds;
+    all.build_seconds += sum->build_seconds;
+    all.eye_seconds += sum->eye_seconds;
+    all.gather_seconds += sum->gather_seconds;
+    all.estimates += sum->estimates;
+    all.passes = sum->passes + 1;
+    all.unsound = sum->unsound;
+    unsound_paths_add(&all.unsound, &pass->unsound);
+    *sum = all;
+}
+
+static bool run_pass(const Scene *scene, const RenderOptions *options, Passes *passes, float radius, RenderStats *stats,
+                     Error *error)
+{
+    int number = passes->first + passes->done;
+    RenderPass pass = {
+        .radius = radius,
+        .seed = options->seed,
+        .first_sample = (uint32_t)number * (uint32_t)options->settings.samples,
+        .points = passes->points,
+        .alpha = passes->alpha,
+    };
+    RenderOptions own = *options;
+    own.pass = &pass;
+    own.seed = seed_of(options->seed, number);
+    PassRun run = {number, 1, {0, 0, NULL}};
+    RenderStats of_pass;
+    if (!render_image(scene, &own, &run.mean, &of_pass, error))
+        return false;
+    add_stats(stats, &of_pass);
+    pass_sums_add(&passes->sums, run);
+    passes->done++;
+    return true;
+}
+
+bool passes_run(const Scene *scene, const RenderOptions *options, Passes *passes, RenderStats *stats, Error *error)
+{
+    *stats = (RenderStats){0};
+    passes->samples = options->settings.samples;
+    if (!begin(scene, options, passes, error))
+        return false;
+    float radius = passes->radius;
+    int shrunk = 0;
+    while (passes->first + passes->done < passes->last) {
+        for (; !passes->by_pixel && shrunk < passes->first + passes->done; shrunk++)
+            if (!shrink(&radius, shrunk + 1, passes->alpha, error))
+                return false;
+        if (!run_pass(scene, options, passes, radius, stats, error))
+            return false;
+        if (passes->heard && !passes->heard(passes->user, passes))
+            break;
+    }
+    return true;
+}
+
+bool passes_picture(const Passes *passes, Image *image, Error *error)
+{
+    if (!pass_sums_mean(&passes->sums, image, error))
+        return false;
+    int looks = passes->done * passes->samples; // each eye ray has added its photons
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; passes->points && i < pixels; i++)
+        image->pixels[i] = colour_add(image->pixels[i], steps.point_radiance(passes->points[i], looks));
+    return true;
+}
+
+void passes_free(Passes *passes)
+{
+    pass_sums_free(&passes->sums);
+    free(passes->points);
+    passes->points = NULL;
+}

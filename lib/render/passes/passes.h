@@ -1,0 +1,44 @@
+// A picture by passes (stage 5): each has photons of its own, which are forgotten after it, and a smaller radius than the one
+// before. Memory is that of one pass and of a few pictures, however many there are.
+//
+//   Passes passes = {.alpha = PASS_ALPHA, .last = 64};
+//   passes_run(scene, &options, &passes, &stats, &error);
+//   passes_picture(&passes, &image, &error);
+//   …
+//   passes_free(&passes);
+#ifndef PHOTONLAB_RENDER_PASSES_PASSES_H
+#define PHOTONLAB_RENDER_PASSES_PASSES_H
+
+#include "render/passes/pass_sums.h"
+#include "render/render.h"
+
+#define PASS_ALPHA (2.0f / 3.0f)
+
+typedef struct Passes {
+    int first, last; // the passes first … last−1, counted from 0, are wanted
+    float alpha;
+    bool by_pixel; // a radius for each pixel by what it finds (5.3, 5.4) and not for each pass by its number (5.1)
+    int done;      // of them
+    int samples;   // eye rays a pixel in each: passes_run takes it from its options
+    float radius;  // m, of pass 0; 0: as options->settings.radius has it, or else as passes_run finds it
+    PassSums sums; // by_pixel: what does not come by photons
+    PointStatistics *points; // by_pixel: one a pixel
+    // After each pass. False: no more.
+    bool (*heard)(void *user, const struct Passes *passes);
+    void *user;
+} Passes;
+
+// Goes on from what is done. False when memory is short, or a step gives no radius; what was done before is still there.
+// stats: sums over these passes, but the ledger is the last one's.
+bool passes_run(const Scene *scene, const RenderOptions *options, Passes *passes, RenderStats *stats, Error *error);
+
+// The picture after passes->done > 0 passes.
+bool passes_picture(const Passes *passes, Image *image, Error *error);
+
+void passes_free(Passes *passes);
+
+// A radius within which a typical point that the eye sees finds settings.k photons of one pass, m. 0: there are none. False
+// when memory is short.
+bool pass_first_radius(const Scene *scene, const RenderOptions *options, float *radius, Error *error);
+
+#endif
