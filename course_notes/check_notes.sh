@@ -69,6 +69,18 @@ check_report() {
     verdict "every step's link in a report" "$work/wrong"
 }
 
+# Chapter 0 shows what the terminal says: its first try, judged.
+check_terminal() {
+    [ -x "$build/judge" ] && [ -s $figures/0_first.txt ] || return
+    mkdir -p "$work/first/1_diffuse_photon_map"
+    { echo '#include "photonlab.h"'; sed -n '/^Vec3 reflect/,/^}/p' course_notes/0_start_here.md; } >"$work/first/1_diffuse_photon_map/1.1_reflect.c"
+    "$build/judge" --build "$build" --work "$work/judge" --compiler cc --flags "-O1 -fPIC" --link -shared --code "$work/first" --step 1.1 2>&1 |
+        sed '1{/^$/d;}; s/ *$//' >"$work/said"
+    grep -v '^make: ' $figures/0_first.txt | diff - "$work/said" >"$work/wrong"
+    [ ! -s "$work/wrong" ] || echo "it says something else now; \`make figures CHAPTER=0 FORCE=1\` writes it down" >>"$work/wrong"
+    verdict "chapter 0 shows what the terminal says" "$work/wrong"
+}
+
 # The letters in a step's contract must be those of its section: θ here is θ there.
 letters='θ:theta φ:(var)?phi α:alpha η:eta ρ:rho Φ:Phi π:pi'
 check_letters() {
@@ -219,6 +231,7 @@ gather
 check_pages
 check_links
 check_report
+check_terminal
 check_steps
 check_figures
 check_gallery

@@ -1,6 +1,6 @@
 -- What a chapter holds, as lines of words parted by tabs, for the scripts beside:
 --
---     figure KIND FILE ID ALT CAPTION COMMAND      KIND: figure or data; in COMMAND, "\n" for a line's end, "\\" for "\"
+--     figure KIND FILE ID ALT CAPTION COMMAND      KIND: figure, or data and what a terminal shows; in COMMAND, "\n" for a line's end, "\\" for "\"
 --     anchor ID LEVEL TITLE                        LEVEL 0: no heading
 --     link TARGET SECTION
 --     number TEXT FROM SECTION
@@ -21,7 +21,7 @@ local function tell(...)
 end
 
 local function figure(block)
-    local kind = block.classes:includes("figure") and "figure" or block.classes:includes("data") and "data"
+    local kind = block.classes:includes("figure") and "figure" or (block.classes:includes("data") or block.classes:includes("terminal")) and "data"
     if kind then
         local a = block.attributes
         tell("figure", kind, a.file or "", block.identifier, a.alt or "", a.caption or "", block.text)

@@ -118,7 +118,9 @@ local function computed_by(block)
 end
 
 local function CodeBlock(block)
-    if block.classes:includes("data") then
+    if block.classes:includes("terminal") then -- what its command has shown
+        return pandoc.CodeBlock(read_file(figures .. "/" .. block.attributes.file) or "")
+    elseif block.classes:includes("data") then
         return computed_by(block)
     elseif block.classes:includes("figure") then
         local caption = inlines_of(block.attributes.caption or "")
