@@ -64,7 +64,8 @@ LIBRARY  = $(BUILD)/libphotonlab.so
 PROGRAM  = $(BUILD)/photonlab
 STEPS    = $(STEP_SOURCES:%.c=$(BUILD)/%.so)
 -include prebuilt/steps.mk
-MESHES   = $(addprefix scenes/meshes/,diamond.obj bumpy_sphere.obj ring.obj)
+# Where the checkout cannot be written, the scenes without a mesh can be rendered.
+MESHES   = $(if $(shell test -w scenes/meshes && echo yes),$(addprefix scenes/meshes/,diamond.obj bumpy_sphere.obj ring.obj))
 
 # For a shell: one word, whatever it holds.
 quoted = '$(subst ','\'',$(1))'
@@ -76,41 +77,37 @@ say = @$(if $(V),:,echo "  $(1) $(2)")
 .PHONY: all
 all: $(PROGRAM) $(STEPS)
 
+# $(call beside,COMMAND): a command that writes $$new, which then takes the target's place: what is half made is no target, what
+# runs keeps the old file, and two makes at once do not meet.
+beside = $(Q)mkdir -p $(@D) && new=$@.new$$$$ && { { $(1); } && mv $$new $@ || { rm -f $$new; exit 1; }; }
+.DELETE_ON_ERROR:
+
 $(BUILD)/obj/%.o: %.c
-	@mkdir -p $(@D)
 	$(call say,cc,$<)
-	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
+	$(call beside,$(CC) $(CFLAGS) -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $$new)
 
 $(LIBRARY): $(call object,$(LIBRARY_SOURCES))
 	$(call say,link,$@)
-	$(Q)$(CC) $(CFLAGS) $(SHARED) $^ -o $@.new $(LDLIBS)
-	@mv $@.new $@
+	$(call beside,$(CC) $(CFLAGS) $(SHARED) $^ -o $$new $(LDLIBS))
 
-# $(call link,LIBRARIES): a program of its objects and the library, which lies beside it or up to two folders above. Written
-# beside and renamed, since the old one may be running.
+# $(call link,LIBRARIES): a program of its objects and the library, which lies beside it or up to two folders above.
 define link
-@mkdir -p $(@D)
 $(call say,link,$@)
-$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab $(foreach up,. .. ../..,-Wl,-rpath,'$(ORIGIN)/$(up)') -o $@.new $(1) $(LDLIBS)
-@mv $@.new $@
+$(call beside,$(CC) $(CFLAGS) $(filter %.o,$^) -L$(BUILD) -lphotonlab $(foreach up,. .. ../..,-Wl,-rpath,'$(ORIGIN)/$(up)') -o $$new $(1) $(LDLIBS))
 endef
 
 $(PROGRAM): $(call object,$(PROGRAM_SOURCES)) $(LIBRARY)
 	$(call link)
 
-# One shared object per step. Written beside and renamed, since a running program may be loading the old one.
+# One shared object per step.
 $(BUILD)/solutions/%.so: $(BUILD)/obj/solutions/%.o
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $(PLUGIN) $< -o $@.new
-	@mv $@.new $@
+	$(call beside,$(CC) $(CFLAGS) $(PLUGIN) $< -o $$new)
 
 $(BUILD)/make_meshes: scenes/make_meshes.c
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(STANDARD) -O2 $< -o $@ -lm
+	$(call beside,$(CC) $(STANDARD) -O2 $< -o $$new -lm)
 
 scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
-	@mkdir -p $(@D)
-	$(Q)$(BUILD)/make_meshes $(subst bumpy_,,$*) $@
+	$(call beside,$(BUILD)/make_meshes $(subst bumpy_,,$*) $$new)
 
 SANITIZED = $(MAKE) BUILD=$(BUILD)/sanitized OPTIMISE=-O1 EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=undefined"
 

@@ -291,7 +291,7 @@ int main(int argc, char **argv)
         perror(argv[2]);
         return 1;
     }
-    printf("%s: %d points, %d faces, %d triangles, %s, volume %.6f\n", argv[2], mesh.point_count, mesh.face_count,
+    printf("%s: %d points, %d faces, %d triangles, %s, volume %.6f\n", argv[1], mesh.point_count, mesh.face_count,
            triangles, mesh.closed ? "closed" : "open", volume);
     return 0;
 }

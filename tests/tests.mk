@@ -91,8 +91,7 @@ check-judge: judge $(BUILD)/calibrate
 ##check alone check-sandbox  what the sandbox keeps in, keeps out and reports
 # Runs itself in the sandbox, where it sees no library of ours.
 $(BUILD)/tests/test_sandbox: $(call object,$(wildcard tests/judge/sandbox/*.c tests/judge/sandbox/test/*.c) lib/base/error.c)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS) $^ -o $@ -lcmocka -lseccomp $(LDLIBS)
+	$(call beside,$(CC) $(CFLAGS) $^ -o $$new -lcmocka -lseccomp $(LDLIBS))
 check-sandbox: $(BUILD)/tests/test_sandbox
 	@bash tests/unit/run.sh $<
 

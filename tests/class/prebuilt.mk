@@ -8,9 +8,7 @@ PREBUILT_FOR  := $(subst -, ,$(notdir $(wildcard prebuilt/*-*)))
 STEPS          = $(or $(patsubst $(PREBUILT)/%,$(BUILD)/solutions/%,$(wildcard $(PREBUILT)/*/*.so)),no-reference)
 
 $(BUILD)/solutions/%.so: $(PREBUILT)/%.so
-	@mkdir -p $(@D)
-	@cp $< $@.new
-	@mv $@.new $@
+	$(call beside,cp $< $$new)
 
 .PHONY: no-reference
 no-reference:

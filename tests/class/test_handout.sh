@@ -46,6 +46,14 @@ check_handout() {
     ok "handout: CODE= with an apostrophe, in a folder with one" ls "$tree"/build/code/*/"${turn%.c}.so"
     ok "handout: the reference's objects are in place" test -f \
         "$tree/build/solutions/2_glossy_lobe/2.2_turn_to.so"
+    if bwrap --ro-bind / / true 2>/dev/null; then
+        (cd "$tree" && bwrap --ro-bind / / --dev /dev --bind "$tree/build" "$tree/build" make render FLAGS="--size 8x8 --photons 99 --samples 1") >"$work/said" 2>&1
+        says "8×8, 99 photons" "$work/said" "handout: renders where nothing but BUILD can be written"
+    fi
+    printf '#!/bin/sh\necho half >"$2"\nexit 1\n' >"$tree/build/make_meshes" && chmod +x "$tree/build/make_meshes"
+    (cd "$tree" && make meshes) >"$work/said" 2>&1
+    ok "handout: a mesh that is half made is none" not ls "$tree"/scenes/meshes/diamond.obj*
+    rm "$tree/build/make_meshes"
     cp "$tree/Makefile" "$work/Makefile"
     mv "$tree"/prebuilt/*-* "$tree/prebuilt/sparc-Multics"
     (cd "$tree" && make all) >"$work/said" 2>&1 && bad "handout: builds on another machine"

@@ -30,6 +30,14 @@ for target in test hint reset debug "render FLAGS=--help"; do
 done >"$work/out" 2>&1
 ok "make runs no part of STEP, STAGE, SALT, CODE, SCENE" not test -e "$work/ran"
 
+# Two makes at once in one folder, as an editor and a terminal start them.
+for _ in 1 2; do
+    rm -rf "$work/two" && mkdir "$work/two" && cp -R "$build/obj" "$work/two/" && find "$work/two" -type f -exec touch {} +
+    make -s BUILD="$work/two" all >"$work/first" 2>&1 &
+    make -s BUILD="$work/two" all >"$work/out" 2>&1 && wait $! || bad "two makes at once: $(cat "$work/first" "$work/out")"
+done
+ok "two makes at once build one program" "$work/two/photonlab" steps
+
 # A right step in a folder with a blank in its name; the same in the wrong place.
 cp solutions/1_diffuse_photon_map/1.1_reflect.c "$stage1/"
 judged 0 "1 passed, 0 failed" --stage 1
