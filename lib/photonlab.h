@@ -41,6 +41,7 @@
 #include "scene/glass_catalogue.h" // glass_find, glass_index, cauchy_index
 #include "scene/light.h"           // Light, light_sample
 #include "scene/material.h"        // Material, material_brdf, material_albedo
+#include "scene/spectrum.h"        // Spectrum, spectral_colour, reflectance_at
 #include "scene/scene.h"           // Scene, scene_load, scene_intersect, scene_occluded
 #include "scene/bvh/shape.h"       // Flat, Sphere
 

@@ -35,6 +35,10 @@ void progress_bar_end(ProgressBar *bar);
 // Before the work: which steps the student's code plays, and which are there but do not play.
 void report_steps(StepChoice choice, bool path_tracer);
 
+// Which steps play: those of --steps, or what the student's code has. --spectral, or the scene's key where there is no --steps,
+// asks for single wavelengths.
+void choose_steps(const char *code, const char *steps_text, bool spectral, const Scene *scene, StepChoice *play);
+
 // After the work: what right steps never do. Lobes redrawn too often, directions of no length, flux from nowhere.
 void report_oddities(const Ledger *ledger, long paths, const UnsoundPaths *unsound);
 

@@ -73,6 +73,14 @@ void report_steps(StepChoice choice, bool path_tracer)
     fprintf(stderr, "the reference plays the rest\n");
 }
 
+void choose_steps(const char *code, const char *steps_text, bool spectral, const Scene *scene, StepChoice *play)
+{
+    if (code && !steps_text)
+        *play = step_choice_for_student();
+    if (spectral || (!steps_text && scene->settings.spectral))
+        play->loop = LOOP_WAVELENGTH;
+}
+
 void report_suspects(StepChoice choice)
 {
     print_ids(STEP_STUDENT, true, choice,

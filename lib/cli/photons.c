@@ -16,7 +16,8 @@ static const char help[] =
     "  --depth N      bounces after which a path is cut\n"
     "  --threads T    0: all cores. The photons are the same whatever T\n"
     "  --code DIR     play the steps built in DIR\n"
-    "  --steps LIST   2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life\n"
+    "  --steps LIST   2.3 or 2.4 for glossy surfaces, 1.5, 3.4 or 6.4 for the photon's life\n"
+    "  --spectral     photons of single wavelengths, as step 6.4 has them\n"
     "  --quiet        no progress and no summary\n"
     "  --json         one line of JSON on standard output\n";
 
@@ -24,7 +25,7 @@ typedef struct {
     const char *scene, *out, *code, *steps;
     long photons; // 0: as the scene says
     int depth;    // 0: as the scene says
-    bool quiet, json;
+    bool quiet, json, spectral;
     PhotonPassOptions options;
 } Arguments;
 
@@ -40,6 +41,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"threads", FLAG_INT, &a->options.threads, 0, MOST_THREADS},
         {"code", FLAG_TEXT, &a->code, 0, 0},
         {"steps", FLAG_TEXT, &a->steps, 0, 0},
+        {"spectral", FLAG_PRESENT, &a->spectral, 0, 0},
         {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
     };
@@ -79,8 +81,7 @@ int command_photons(int count, char **arguments)
         return report_error(&error);
     a.options.photons = a.photons ? a.photons : scene->settings.photons;
     a.options.depth = a.depth ? a.depth : scene->settings.depth;
-    if (a.code && !a.steps)
-        a.options.play = step_choice_for_student();
+    choose_steps(a.code, a.steps, a.spectral, scene, &a.options.play);
     if (a.code && !a.quiet)
         report_steps(a.options.play, false);
     steps_play(a.options.play);

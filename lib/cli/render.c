@@ -25,7 +25,7 @@ static const char help[] =
     "  --threads T          0: all cores. The picture is the same whatever T\n"
     "  --reuse F            photons: share estimates from the maps within F of their radius (0.35); 0: none is shared\n"
     "  --code DIR           play the steps built in DIR laid out like build/solutions\n"
-    "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life; e.g. 2.3,1.5. Unset: 2.4 and\n"
+    "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5, 3.4 or 6.4 for the photon's life; e.g. 2.3,1.5. Unset: 2.4 and\n"
     "                       3.4; with --code, 2.3 and 1.5 where yours are started and your 2.4 and 3.4 are not\n"
     "  --passes N           N photon passes, whose radii shrink, and their mean; --photons and --samples (1) are those of each. The\n"
     "                       picture is there after 1, 2, 4, 8 … passes; ctrl-c keeps the passes, in OUT.part\n"
@@ -34,6 +34,8 @@ static const char help[] =
     "  --radii pass|pixel   pass: the same for all pixels of a pass, by its number (default); pixel: by what each has found\n"
     "  --resume FILE.part   go on from there: the same bytes as without a break\n"
     "  --part K/M           only part K of M of the passes, into -o OUT.part, for `photonlab merge`\n"
+    "  --spectral           photons of single wavelengths, as step 6.4 has them, not of red, green and blue\n"
+    "  --wavelengths 1|3    with wavelengths: how many a photon has, until it meets dispersing glass (3)\n"
     "  --glass-sides 1|2    1: eye rays bend at the front of glass only, the looking glass of the source text\n"
     "  --quiet              no progress and no summary\n"
     "  --json               one line of JSON on standard output: counts, rays, seconds, the energy ledger\n";
@@ -44,7 +46,8 @@ typedef struct {
     Choice integrator;
     RenderSettings settings; // 0 or −1: no flag, so the scene's own value counts
     int bits;
-    bool quiet, json;
+    bool quiet, json, spectral;
+    int wavelengths;
     PassFlags passes;
     RenderOptions options;
 } Arguments;
@@ -54,6 +57,7 @@ static int parse(int count, char **arguments, Arguments *a)
 {
     *a = (Arguments){.integrator = {integrator_names, -1}, // −1: as the scene says
                      .bits = 8,
+                     .wavelengths = 3,
                      .settings = {.radius = -1.0f},
                      .passes = {.radii = {radii_names, -1}},
                      .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
@@ -73,6 +77,8 @@ static int parse(int count, char **arguments, Arguments *a)
         {"code", FLAG_TEXT, &a->code, 0, 0},
         {"steps", FLAG_TEXT, &a->steps, 0, 0},
         PASS_FLAGS(a->passes),
+        {"spectral", FLAG_PRESENT, &a->spectral, 0, 0},
+        {"wavelengths", FLAG_INT, &a->wavelengths, 1, 3},
         {"glass-sides", FLAG_INT, &a->options.glass_sides, 1, 2},
         {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
@@ -88,6 +94,9 @@ static int parse(int count, char **arguments, Arguments *a)
         return report_usage("photonlab render", "say where to write the picture: -o OUT.png");
     a->settings.width = a->size[0];
     a->settings.height = a->size[1];
+    if (a->wavelengths == 2)
+        return report_usage("photonlab render", "--wavelengths 2: expected 1 or 3");
+    a->options.hero = a->wavelengths == 3;
     if (a->options.glass_sides == 1 && a->integrator.chosen == INTEGRATOR_PATH)
         return report_usage("photonlab render", "--glass-sides 1: the path tracer knows whole glass only");
     wrong = pass_flags_check(&a->passes, a->out);
@@ -158,8 +167,11 @@ int command_render(int count, char **arguments)
         scene_free(scene);
         return report_error(&error);
     }
-    if (a.code && !a.steps)
-        a.options.play = step_choice_for_student();
+    choose_steps(a.code, a.steps, a.spectral, scene, &a.options.play);
+    if (a.options.play.loop == LOOP_WAVELENGTH && a.options.integrator == INTEGRATOR_PATH) {
+        scene_free(scene);
+        return report_usage("photonlab render", "the path tracer knows red, green and blue only; say --steps 3.4");
+    }
     if (a.code && !a.quiet)
         report_steps(a.options.play, a.options.integrator == INTEGRATOR_PATH);
     parallel_limit(a.options.threads);

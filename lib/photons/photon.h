@@ -21,9 +21,11 @@ typedef enum {
 
 // A photon in flight: a packet of flux, not a quantum.
 typedef struct {
-    Vec3 position;  // m
-    Vec3 direction; // unit, the way it flies
-    Colour power;   // flux it carries, W; already divided by the number of photons emitted
+    Vec3 position;    // m
+    Vec3 direction;   // unit, the way it flies
+    Colour power;     // flux it carries, W; already divided by the number of photons emitted
+    float wavelength; // nm: of all its flux, which then stands in power three times; 0: power is red, green and blue
+    float others[2];  // hero wavelengths: those of power's second and third number, until dispersing glass; 0: none
     PhotonColour colour;
     PhotonPath path;
     int bounce;                // surfaces met so far

@@ -19,7 +19,9 @@ Colour direct_light(Eye *eye, const Hit *hit, Vec3 wo)
         if (scene_occluded(eye->scene, &shadow, sample.distance, light))
             continue;
         Colour f = material_brdf(hit->material, eye->options->play.glossy, sample.wi, wo, hit->normal);
-        sum = colour_add(sum, colour_scale(colour_mul(f, sample.arriving), cos_i));
+        Colour reflected = eye->options->play.loop == LOOP_WAVELENGTH ? light_reflected(light, f, sample.geometry)
+                                                                      : colour_mul(f, sample.arriving);
+        sum = colour_add(sum, colour_scale(reflected, cos_i));
     }
     return sum;
 }

@@ -13,6 +13,7 @@
 typedef struct {
     Colour weight;       // the share of what it brings back that reaches the camera: tells bright rays from faint ones
     PhotonColour colour; // WHITE, or the one that is left after dispersing glass
+    float wavelength;    // nm; 0: all of them. With wavelengths, the one that is left after dispersing glass
     int bounce;          // surfaces met so far
     bool sees_lights;    // false where shadow rays have counted them
     float distance;      // m, so far
@@ -164,10 +165,60 @@ static void glass_way(const Eye *eye, const Hit *hit, Vec3 direction, float inde
     *through = (1.0f - *reflected) * (front_only ? 1.0f : eta * eta);
 }
 
+// One of both ways by chance, where the ray is faint: what either then counts.
+static void take_ways(Eye *eye, Colour weight, float reflected, float *take_reflected, float *take_through)
+{
+    *take_reflected = *take_through = 1.0f;
+    if (colour_max(weight) >= SPLIT_WEIGHT)
+        return;
+    bool reflect = rng_float(&eye->rng) < reflected;
+    *take_reflected = reflect ? 1.0f / reflected : 0.0f;
+    *take_through = reflect ? 0.0f : 1.0f / (1.0f - reflected);
+}
+
+// Light through dispersing glass, with wavelengths: a ray of all of them refracts three ways, each by a wavelength of its own, spread
+// evenly over the pixel's samples. What comes back is red, green and blue; at that wavelength it is taken as a wall's reflectance
+// would be, and it has the wavelength's colour. In the mean that is the light that came.
+static Colour spectral_glass(Eye *eye, const Hit *hit, Vec3 direction, EyeRay carried)
+{
+    float wavelength[3] = {carried.wavelength}, weight[3] = {1.0f}, through[3], place, unused;
+    Vec3 refracted[3];
+    int ways = carried.wavelength > 0.0f ? 1 : 3;
+    float reflected = 0.0f, weights = 0.0f;
+    sampler_point(&eye->sampler, SAMPLER_WAVE, &place, &unused);
+    for (int i = 0; i < ways; i++) {
+        float r, u = place + (float)i / 3.0f;
+        if (ways > 1)
+            wavelength[i] = steps.draw_wavelength(u < 1.0f ? u : u - 1.0f, &weight[i]);
+        float index = steps.index_at_wavelength(hit->material, wavelength[i]);
+        glass_way(eye, hit, direction, index, &refracted[i], &r, &through[i]);
+        reflected += weight[i] * r;
+        weights += weight[i];
+    }
+    reflected = fminf(reflected / weights, 1.0f);
+
+    float take_reflected, take_through;
+    take_ways(eye, carried.weight, reflected, &take_reflected, &take_through);
+    Vec3 back = mirror_direction(direction, hit->normal);
+    Colour sum = follow(eye, hit, back, colour_grey(reflected * take_reflected), carried);
+    for (int i = 0; i < ways; i++) {
+        EyeRay onward = carried;
+        onward.wavelength = wavelength[i];
+        float share = through[i] * take_through * weight[i] / (float)ways;
+        Colour seen = follow(eye, hit, refracted[i], colour_grey(share), onward);
+        if (ways > 1)
+            seen = colour_scale(spectral_colour(wavelength[i]), reflectance_at(seen, wavelength[i]));
+        sum = colour_add(sum, seen);
+    }
+    return sum;
+}
+
 // Light through glass: each way is followed or, while the ray is faint, one of both. In dispersing glass a white ray
 // refracts three ways, one for each channel, and each goes on in its own colour.
 static Colour glass_surface(Eye *eye, const Hit *hit, Vec3 direction, EyeRay carried)
 {
+    if (eye->options->play.loop == LOOP_WAVELENGTH && hit->material->disperses)
+        return spectral_glass(eye, hit, direction, carried);
     bool splits = hit->material->disperses && carried.colour == WHITE;
     int first = carried.colour == WHITE ? 0 : (int)carried.colour - RED;
     int ways = splits ? 3 : 1;
@@ -181,14 +232,8 @@ static Colour glass_surface(Eye *eye, const Hit *hit, Vec3 direction, EyeRay car
         through[i] = splits ? only_channel(i, t) : colour_grey(t);
     }
 
-    float mean = colour_sum(reflected) / 3.0f;
-    float take_reflected = 1.0f;
-    float take_through = 1.0f;
-    if (colour_max(carried.weight) < SPLIT_WEIGHT) {
-        bool reflect = rng_float(&eye->rng) < mean;
-        take_reflected = reflect ? 1.0f / mean : 0.0f;
-        take_through = reflect ? 0.0f : 1.0f / (1.0f - mean);
-    }
+    float take_reflected, take_through;
+    take_ways(eye, carried.weight, colour_sum(reflected) / 3.0f, &take_reflected, &take_through);
     Vec3 back = mirror_direction(direction, hit->normal);
     Colour sum = follow(eye, hit, back, colour_scale(reflected, take_reflected), carried);
     for (int i = 0; i < ways; i++) {
@@ -222,5 +267,5 @@ static Colour trace(Eye *eye, const Ray *ray, EyeRay carried)
 
 Colour eye_radiance(Eye *eye, const Ray *ray)
 {
-    return trace(eye, ray, (EyeRay){colour_grey(1.0f), WHITE, 0, true, 0.0f});
+    return trace(eye, ray, (EyeRay){colour_grey(1.0f), WHITE, 0.0f, 0, true, 0.0f});
 }

@@ -59,6 +59,7 @@ bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, Ren
         .threads = options->threads,
         .keep = options->integrator == INTEGRATOR_PHOTONS ? KEEP_CAUSTIC | KEEP_INDIRECT : KEEP_ALL,
         .play = options->play,
+        .hero = options->hero,
         .progress = options->progress,
     };
     PhotonPass pass;

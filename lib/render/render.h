@@ -21,7 +21,8 @@ typedef struct {
     RenderSettings settings;
     uint64_t seed;
     int threads;            // 0: all cores
-    StepChoice play;        // 2.3 or 2.4, 1.5 or 3.4
+    StepChoice play;        // 2.3 or 2.4; 1.5, 3.4 or, for single wavelengths, 6.4
+    bool hero;              // with wavelengths: a photon has three, until it meets dispersing glass
     int glass_sides;        // 2; 1: eye rays bend on the way into glass only, the source text's looking glass
     float reuse;            // PHOTONS: estimates from the maps are shared within this part of their radius; 0: none is
     const RenderPass *pass; // NULL: a picture by itself

@@ -40,5 +40,6 @@ static inline void sampler_point(const Sampler *sampler, uint32_t use, float *u,
 #define SAMPLER_FILM  0u
 #define SAMPLER_LIGHT 1u       // and upwards: one use per light
 #define SAMPLER_LOBE  1000000u // and upwards: one use per bounce
+#define SAMPLER_WAVE  2000000u // the wavelength behind dispersing glass
 
 #endif

@@ -44,16 +44,39 @@ double glass_index(const SellmeierGlass *glass, double wavelength_nm)
 {
     double squared = 1e-6 * wavelength_nm * wavelength_nm; // λ² in µm²
     double n2 = 1.0;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < SELLMEIER_TERMS; i++)
         n2 += glass->b[i] * squared / (squared - glass->c[i]);
     return sqrt(n2);
+}
+
+void cauchy_coefficients(double n_d, double abbe, double *a, double *b)
+{
+    double f_minus_c = 1.0 / (WAVELENGTH_F * WAVELENGTH_F) - 1.0 / (WAVELENGTH_C * WAVELENGTH_C);
+    *b = (n_d - 1.0) / (abbe * f_minus_c);
+    *a = n_d - *b / (WAVELENGTH_D * WAVELENGTH_D);
 }
 
 double cauchy_index(double n_d, double abbe, double wavelength_nm)
 {
     double wavelength = 1e-3 * wavelength_nm;
-    double f_minus_c = 1.0 / (WAVELENGTH_F * WAVELENGTH_F) - 1.0 / (WAVELENGTH_C * WAVELENGTH_C);
-    double b = (n_d - 1.0) / (abbe * f_minus_c);
-    double a = n_d - b / (WAVELENGTH_D * WAVELENGTH_D);
+    double a, b;
+    cauchy_coefficients(n_d, abbe, &a, &b);
     return a + b / (wavelength * wavelength);
+}
+
+void cauchy_through(const float index[3], double *a, double *b)
+{
+    static const double wavelengths[3] = {WAVELENGTH_RED, WAVELENGTH_GREEN, WAVELENGTH_BLUE};
+    double x[3], mean_x = 0.0, mean_n = 0.0, xx = 0.0, xn = 0.0;
+    for (int c = 0; c < 3; c++) {
+        x[c] = 1e6 / (wavelengths[c] * wavelengths[c]); // 1/λ² in 1/µm²
+        mean_x += x[c] / 3.0;
+        mean_n += (double)index[c] / 3.0;
+    }
+    for (int c = 0; c < 3; c++) {
+        xx += (x[c] - mean_x) * (x[c] - mean_x);
+        xn += (x[c] - mean_x) * ((double)index[c] - mean_n);
+    }
+    *b = xn / xx;
+    *a = mean_n - *b * mean_x;
 }

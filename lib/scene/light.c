@@ -11,8 +11,8 @@ static bool sample_rectangle(const Light *light, Vec3 point, float u, float v, L
         return false;
     sample->distance = sqrtf(distance2);
     sample->wi = vec3_scale(to_light, 1.0f / sample->distance);
-    float geometry = cos_times_distance / sample->distance * light->area / distance2;
-    sample->arriving = colour_scale(light->radiance, geometry);
+    sample->geometry = cos_times_distance / sample->distance * light->area / distance2;
+    sample->arriving = colour_scale(light->radiance, sample->geometry);
     return true;
 }
 
@@ -34,7 +34,8 @@ static bool sample_sphere_light(const Light *light, Vec3 point, float u, float v
     Frame frame = frame_about(vec3_scale(to_centre, 1.0f / sqrtf(distance2)));
     sample->wi = frame_to_world(&frame, vec3(r * cosf(phi), r * sinf(phi), z));
     sample->distance = sqrtf(distance2) * z - sqrtf(fmaxf(0.0f, radius2 - distance2 * sin2));
-    sample->arriving = colour_scale(light->radiance, 2.0f * PI * one_minus_cos);
+    sample->geometry = 2.0f * PI * one_minus_cos;
+    sample->arriving = colour_scale(light->radiance, sample->geometry);
     return true;
 }
 
@@ -52,7 +53,8 @@ static bool sample_point(const Light *light, Vec3 point, LightSample *sample)
             return false;
         solid_angle = 2.0f * PI * (1.0f - light->cos_cone);
     }
-    sample->arriving = colour_scale(light->power, 1.0f / (solid_angle * distance2));
+    sample->geometry = 1.0f / (solid_angle * distance2);
+    sample->arriving = colour_scale(light->power, sample->geometry);
     return true;
 }
 
@@ -66,7 +68,8 @@ static bool sample_beam(const Light *light, Vec3 point, LightSample *sample)
         return false;
     sample->distance = along;
     sample->wi = vec3_negate(light->direction);
-    sample->arriving = colour_scale(light->power, 1.0f / (PI * radius2));
+    sample->geometry = 1.0f / (PI * radius2);
+    sample->arriving = colour_scale(light->power, sample->geometry);
     return true;
 }
 
@@ -84,4 +87,17 @@ bool light_sample(const Light *light, Vec3 point, float u, float v, LightSample 
         return sample_beam(light, point, sample);
     }
     return false;
+}
+
+float light_power_at(const Light *light, float wavelength)
+{
+    return spectrum_at(light->spectrum, wavelength) * reflectance_at(light->given_power, wavelength);
+}
+
+Colour light_reflected(const Light *light, Colour brdf, float geometry)
+{
+    Colour sum = colour_grey(0.0f);
+    for (int c = 0; c < 3; c++)
+        sum = colour_add(sum, colour_scale(light->behind[c], colour_channel(brdf, c) * geometry));
+    return sum;
 }

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "math/colour.h"
 #include "math/vec3.h"
+#include "scene/glass_catalogue.h"
 
 #include <stdbool.h>
 
@@ -40,7 +41,10 @@ typedef struct {
     LobeTable *lobe;          // glossy only; owned by the scene
     float index[3];           // refractive index for red, green and blue, > 0
     bool disperses;           // the three differ: white light splits here
-    Colour radiance;          // emitted, W/(m²·sr); lights only
+    // For single wavelengths, of glass: a real one's formula, or NULL, and A and B (µm²) of Cauchy's, A + B/λ².
+    const SellmeierGlass *sellmeier;
+    float cauchy[2];
+    Colour radiance; // emitted, W/(m²·sr); lights only
 } Material;
 
 // Which of the two glossy schemes is played: step 2.3 or step 2.4.

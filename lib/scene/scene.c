@@ -11,6 +11,8 @@ void scene_free(Scene *scene)
     for (size_t i = 0; i < scene->material_count; i++)
         free(scene->materials[i].lobe);
     free(scene->materials);
+    for (size_t i = 0; i < scene->light_count; i++)
+        free(scene->lights[i].spectrum);
     free(scene->lights);
     free(scene->flats);
     free(scene->spheres);

@@ -33,6 +33,7 @@ typedef struct {
     float radius;      // largest radius of an estimate, m; 0: no limit (k alone decides)
     int depth;         // bounces after which a path is cut
     Integrator integrator;
+    bool spectral; // photons of single wavelengths (step 6.4)
 } RenderSettings;
 
 typedef struct {

@@ -4,12 +4,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#define MOST_SIDES 3
+
 typedef struct {
-    size_t field;         // offset in StepChoice
-    const char *names[2]; // the later, the earlier: by the field's value
+    size_t field;                  // offset in StepChoice
+    const char *names[MOST_SIDES]; // by the field's value; NULL: no more
 } Pair;
 
-#define PAIR(field, earlier, later) {offsetof(StepChoice, field), {later, earlier}},
+#define CHOICE(field, ...) {offsetof(StepChoice, field), {__VA_ARGS__}},
 static const Pair pairs[] = {
 #include "steps/steps.def"
 };
@@ -63,7 +65,7 @@ void steps_play(StepChoice choice)
 static const Pair *pair_of(const StepInfo *step, int *side)
 {
     for (size_t i = 0; i < PAIR_COUNT; i++)
-        for (*side = 0; *side < 2; ++*side)
+        for (*side = 0; *side < MOST_SIDES && pairs[i].names[*side]; ++*side)
             if (step_is_listed(pairs[i].names[*side], step->id))
                 return &pairs[i];
     return NULL;
@@ -96,15 +98,19 @@ bool step_choice_parse(const char *text, StepChoice *choice, Error *error)
     bool chosen[PAIR_COUNT] = {false};
     const char *word = text;
     do {
-        char id[16], choices[200] = ""; // "2.3 or 2.4, and 1.5 or 3.4"
+        char id[16], choices[200] = ""; // "2.4 or 2.3, and 3.4 or 1.5 or 6.4"
         int length = (int)strcspn(word, ","), side;
         snprintf(id, sizeof id, "%.*s", length, word);
         const StepInfo *step = step_find(id);
         const Pair *pair = step ? pair_of(step, &side) : NULL;
         if (!pair || first_of(pair, side) != step || chosen[pair - pairs]) { // each choice may be made once
             for (size_t i = 0; i < PAIR_COUNT; i++)
-                text_append(choices, sizeof choices, "%s%s or %s", i > 0 ? ", and " : "", first_of(&pairs[i], 1)->id,
-                            first_of(&pairs[i], 0)->id);
+                for (side = 0; side < MOST_SIDES && pairs[i].names[side]; side++)
+                    text_append(choices, sizeof choices, "%s%s",
+                                side > 0 ? " or "
+                                : i > 0  ? ", and "
+                                         : "",
+                                first_of(&pairs[i], side)->id);
             return error_set(error, "--steps %s: no choice `%.*s`; expected %s, parted by a comma", text, length, word,
                              choices);
         }

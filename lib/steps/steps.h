@@ -84,16 +84,18 @@ void steps_library_directory(char *directory, size_t size);
 // Fills one slot from this object.
 bool steps_load_slot(const StepInfo *step, const char *path, Error *error);
 
-// Which steps play where two do the same work, as the pairs of steps.def have it: "2.3" or "2.4" for glossy surfaces,
-// "1.5" or "3.4" for the photon's life; several parted by commas. Unset: 2.4 and 3.4, the later ones.
-#define PAIR(field, earlier, later) int field; // 1: the earlier one
+// Which steps play where several do the same work, as the choices of steps.def have it: "2.3" or "2.4" for glossy surfaces,
+// "1.5", "3.4" or "6.4" for the photon's life; several parted by commas. Unset: 2.4 and 3.4.
+#define CHOICE(field, ...) int field; // which of them; 0: the first
 typedef struct {
 #include "steps/steps.def"
 } StepChoice;
+enum { LOOP_COLOUR, LOOP_PLAIN, LOOP_WAVELENGTH }; // of StepChoice.loop: 3.4, 1.5, 6.4
 bool step_choice_parse(const char *text, StepChoice *choice, Error *error);
 void step_choice_print(StepChoice choice, char *text, size_t size); // as it is parsed
 
-// The choice that lets students see what they have so far: 1.5 or 2.3 where theirs is started, and 3.4 or 2.4 is not.
+// The choice that lets students see what they have so far: 1.5 or 2.3 where theirs is started, and 3.4 or 2.4 is not. Never 6.4,
+// which --spectral asks for.
 StepChoice step_choice_for(const bool started[STEP_COUNT]);
 StepChoice step_choice_for_student(void);
 

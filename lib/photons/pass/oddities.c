@@ -20,10 +20,10 @@ static const struct {
     [MATERIAL_GLASS] = {"glass", {"1.1", "3.1", NULL}},
     [MATERIAL_LIGHT] = {"the light", {"1.2", "1.3", NULL}},
 };
-static const char *const loops[] = {"1.5", "3.4", NULL};
+static const char *const loops[] = {"1.5", "3.4", "6.4", NULL};
 // The steps that decide a photon's power, or whether it goes on.
-static const char *const weights[] = {"1.4", "1.5", "2.1", "2.2", "2.3", "2.4",
-                                      "3.1", "3.2", "3.3", "3.4", "3.5", NULL};
+static const char *const weights[] = {"1.4", "1.5", "2.1", "2.2", "2.3", "2.4", "3.1", "3.2",
+                                      "3.3", "3.4", "3.5", "6.1", "6.2", "6.4", NULL};
 
 // "your step 1.3 (scatter_diffuse)", "one of your steps 1.3, 2.4"; false: none of these is the student's.
 static bool name_suspects(const char *const *ids, const StepState *states, char *text, size_t size)

@@ -77,6 +77,30 @@ Photon light_emit(const Light *light, Rng *rng)
     return photon_create(position, direction, light->power);
 }
 
+// As light_emit, from the light as it is at one wavelength; of hero wavelengths the others follow by thirds of the range's share.
+static Photon emit_at_wavelength(const Light *light, double place, bool hero, Rng *rng)
+{
+    Light at = *light;
+    float wavelength[3];
+    for (int c = 0; c < 3; c++) {
+        double u = place + c / 3.0;
+        float weight = 1.0f;
+        wavelength[c] = light->spectrum && light->spectrum->line > 0.0f
+                            ? light->spectrum->line
+                            : steps.draw_wavelength((float)(floor((u - floor(u)) * 0x1p24) * 0x1p-24), &weight);
+        colour_set_channel(&at.power, c, weight * light_power_at(light, wavelength[c]));
+    }
+    if (!hero)
+        at.power = colour_grey(at.power.r);
+    if (light->area > 0.0f)
+        at.radiance = colour_scale(at.power, 1.0f / (PI * light->area));
+    Photon photon = light_emit(&at, rng);
+    photon.wavelength = wavelength[0];
+    for (int c = 1; hero && c < 3; c++)
+        photon.others[c - 1] = wavelength[c];
+    return photon;
+}
+
 static void close_path(PhotonTrace *trace)
 {
     for (int c = 0; c < 3; c++) {
@@ -91,14 +115,21 @@ static void trace_chunk(PhotonTrace *trace, const LightChance *chances, long fir
 {
     const Scene *scene = trace->scene;
     const PhotonPassOptions *options = trace->options;
-    void (*trace_path)(PhotonTrace *, Photon, Rng *) =
-        options->play.loop ? steps.trace_photon : steps.trace_photon_in_colour;
+    bool spectral = options->play.loop == LOOP_WAVELENGTH;
+    void (*trace_path)(PhotonTrace *, Photon, Rng *) = spectral ? steps.trace_photon_at_wavelength
+                                                       : options->play.loop == LOOP_PLAIN
+                                                           ? steps.trace_photon
+                                                           : steps.trace_photon_in_colour;
+    double first_place = (double)(hash_u64(options->seed) >> 11) * 0x1p-53;
     for (long i = first; i < last; i++) {
         if (options->recorder)
             options->recorder->path(options->recorder->user, i);
         Rng rng = rng_create(options->seed, (uint64_t)i);
         size_t l = pick_light(chances, scene->light_count, &rng);
-        Photon photon = light_emit(&scene->lights[l], &rng);
+        // By steps of the golden ratio, successive photons have wavelengths that lie well apart.
+        Photon photon = spectral ? emit_at_wavelength(&scene->lights[l], first_place + (double)i * 0.6180339887498949,
+                                                      options->hero, &rng)
+                                 : light_emit(&scene->lights[l], &rng);
         float share = (float)(1.0 / ((double)options->photons * (double)chances[l].probability));
         photon.power = colour_scale(photon.power, share);
         photon.from = scene->lights[l].primitive;

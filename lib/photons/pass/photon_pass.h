@@ -25,9 +25,11 @@ typedef struct {
     long photons; // to emit
     int depth;    // surfaces a path may meet
     uint64_t seed;
-    int threads;      // 0: all cores
-    unsigned keep;    // KEEP_…: which photons to store
-    StepChoice play;  // whose BRDF the ledger expects at glossy surfaces; the loop of 1.5 or the recursion of 3.4
+    int threads;   // 0: all cores
+    unsigned keep; // KEEP_…: which photons to store
+    StepChoice
+        play; // whose BRDF the ledger expects at glossy surfaces; the loop of 1.5, the recursion of 3.4, or single wavelengths
+    bool hero;        // with wavelengths: three for a photon, until it meets dispersing glass (Wilkie et al. 2014)
     long first, last; // only the paths first…last−1 of `photons`, as they are among all of them; last 0: all
     const PhotonRecorder *recorder; // NULL: none
     Progress progress;

@@ -15,12 +15,78 @@ static PhotonPath path_after(const Photon *photon)
     return photon->path == PATH_DIRECT ? PATH_CAUSTIC : photon->path;
 }
 
+// nm, of number c of its power, where that is flux by wavelength.
+static float wavelength_of(const Photon *photon, int c)
+{
+    return c > 0 ? photon->others[c - 1] : photon->wavelength;
+}
+
+static int wavelength_count(const Photon *photon)
+{
+    return photon->others[0] > 0.0f ? 3 : 1;
+}
+
+static Colour reflectances_for(const Photon *photon, Colour reflectance)
+{
+    Colour result = colour_grey(reflectance_at(reflectance, photon->wavelength));
+    for (int c = 1; c < wavelength_count(photon); c++)
+        colour_set_channel(&result, c, reflectance_at(reflectance, wavelength_of(photon, c)));
+    return result;
+}
+
+Material photon_surface(const Photon *photon, const Hit *hit)
+{
+    Material here = *hit->material;
+    if (photon->wavelength > 0.0f) {
+        here.diffuse = reflectances_for(photon, here.diffuse);
+        here.specular = reflectances_for(photon, here.specular);
+    }
+    return here;
+}
+
+// The same without a copy for photons of red, green and blue.
+static const Material *surface_of(const Photon *photon, const Hit *hit, Material *room)
+{
+    if (photon->wavelength <= 0.0f)
+        return hit->material;
+    *room = photon_surface(photon, hit);
+    return room;
+}
+
+// Where it disperses, the others of the hero's wavelengths would go other ways. The hero, which is any of the three, counts for
+// them.
+static void part_wavelengths(Photon *photon)
+{
+    photon->others[0] = photon->others[1] = 0.0f;
+    photon->power = colour_grey(photon->power.r);
+}
+
+// Flux by wavelength as a colour. Whoever looks it up multiplies by the surface's red, green and blue reflectances; what the
+// surface does to one wavelength is something else, and is put right here, where the wavelength is still known.
+static Colour colour_of_flux(const Photon *photon, const Material *material)
+{
+    Colour reflectance = colour_add(material->diffuse, material->specular);
+    Colour sent_back = colour_mul(photon->power, reflectances_for(photon, reflectance));
+    Colour sum = colour_grey(0.0f);
+    int count = wavelength_count(photon);
+    for (int c = 0; c < count; c++) {
+        Colour hue = steps.wavelength_colour(wavelength_of(photon, c));
+        sum = colour_add(sum, colour_scale(hue, colour_channel(sent_back, c) / (float)count));
+    }
+    for (int c = 0; c < 3; c++) {
+        float whole = colour_channel(reflectance, c);
+        colour_set_channel(&sum, c, whole > 0.0f ? colour_channel(sum, c) / whole : 0.0f);
+    }
+    return sum;
+}
+
 // At an arrival the ledger expects the albedo's share of the flux to go on; what really does is subtracted at the next
 // departure. The difference, summed over the path, is its part of `chance`.
 static void book_arrival(PhotonTrace *trace, const Photon *photon, const Hit *hit)
 {
     float cos_i = -vec3_dot(photon->direction, hit->normal);
-    Colour albedo = material_albedo(hit->material, trace->options->play.glossy, cos_i);
+    Material room;
+    Colour albedo = material_albedo(surface_of(photon, hit, &room), trace->options->play.glossy, cos_i);
     Colour onward = colour_mul(photon->power, albedo);
     ledger_add_power(trace->ledger.absorbed, colour_sub(photon->power, onward));
     ledger_add_power(trace->path_chance, onward);
@@ -63,6 +129,8 @@ bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
     photon->from = hit->primitive;
     photon->left_material = hit->material;
     book_arrival(trace, photon, hit);
+    if (photon->others[0] > 0.0f && hit->material->disperses)
+        part_wavelengths(photon);
     return hit->material->type != MATERIAL_LIGHT;
 }
 
@@ -74,7 +142,7 @@ void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
     int before = photon->bounce - 1;
     StoredPhoton stored = {
         .position = hit->position,
-        .power = photon->power,
+        .power = photon->wavelength > 0.0f ? colour_of_flux(photon, hit->material) : photon->power,
         .packed_wi = direction_pack(vec3_negate(photon->direction)),
         .colour = (uint8_t)photon->colour,
         .path = (uint8_t)photon->path,
@@ -95,9 +163,8 @@ void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
 }
 
 // A kind that no step is about: turned as by a mirror, or sent into the cosine hemisphere with its BRDF for a weight.
-static bool scatter_by_kind(Photon *photon, const Hit *hit, Rng *rng)
+static bool scatter_by_kind(Photon *photon, const Hit *hit, const Material *material, Rng *rng)
 {
-    const Material *material = hit->material;
     Colour share = material->specular;
     if (material_kind(material)->turn) {
         photon->direction = material_kind(material)->turn(photon->direction, hit->normal);
@@ -113,9 +180,10 @@ static bool scatter_by_kind(Photon *photon, const Hit *hit, Rng *rng)
 
 bool photon_scatter_glossy(Photon *photon, const Hit *hit, Rng *rng)
 {
-    const Material *material = hit->material;
+    Material room;
+    const Material *material = surface_of(photon, hit, &room);
     if (!material_kind(material)->cosine_lobe)
-        return scatter_by_kind(photon, hit, rng);
+        return scatter_by_kind(photon, hit, material, rng);
     Colour total = colour_add(material->diffuse, material->specular);
     Colour arriving = photon->power;
     if (!steps.russian_roulette(&photon->power, total, rng))

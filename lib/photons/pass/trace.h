@@ -22,8 +22,11 @@ static inline Photon photon_create(Vec3 position, Vec3 direction, Colour power)
 // A direction that is not of unit length (NaN, say) ends it, too, as escaped; the program reports how many did.
 bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit);
 
+// What the surface is for this photon: one of a single wavelength meets there the reflectances at that wavelength.
+Material photon_surface(const Photon *photon, const Hit *hit);
+
 // Leaves a copy of the photon at the hit: its power, its colour and where it came from. For diffuse and glossy
-// surfaces only.
+// surfaces only. Flux of a single wavelength becomes red, green and blue here (step 6.3).
 void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit);
 
 // A glossy hit: roulette (step 1.4) with ρ_d + ρ_s, then the diffuse part (step 1.3) or the lobe (step 2.3 or 2.4),

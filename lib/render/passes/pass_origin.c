@@ -78,10 +78,10 @@ void pass_origin_settings(const RenderOptions *options, const Passes *passes, Pa
     step_choice_print(options->play, choice, sizeof choice);
     snprintf(origin->settings, sizeof origin->settings,
              "--integrator %s --size %dx%d --photons %ld --k %d --radius %.9g --samples %d --depth %d --seed %llu "
-             "--reuse %.9g --steps %s --glass-sides %d --alpha %.9g --radii %s",
+             "--reuse %.9g --steps %s --wavelengths %d --glass-sides %d --alpha %.9g --radii %s",
              integrator_names[options->integrator], s->width, s->height, s->photons, s->k, (double)s->radius,
              s->samples, s->depth, (unsigned long long)options->seed, (double)options->reuse, choice,
-             options->glass_sides, (double)passes->alpha, passes->by_pixel ? "pixel" : "pass");
+             options->hero ? 3 : 1, options->glass_sides, (double)passes->alpha, passes->by_pixel ? "pixel" : "pass");
     snprintf(origin->code, sizeof origin->code, "the reference's steps");
     const char *before = "the student's ";
     for (size_t i = 0; i < STEP_COUNT; i++)

@@ -1,6 +1,8 @@
 // The two sections that are no lists: the camera, and what `render` asks for.
 #include "scene/file/scene_section.h"
 
+#include <string.h>
+
 static const SceneKey no_keys[] = {{.name = NULL}};
 
 static const SceneKey camera_keys[] = {
@@ -44,6 +46,7 @@ static const SceneKey render_keys[] = {
      "largest radius of an estimate; 0: k alone decides"},
     {"depth", KEY_WHOLE, "32", RANGE(1, MOST_DEPTH, "bounces"), "after so many bounces a path is cut"},
     {"integrator", KEY_WORD, "photons", RANGE_NAME, "how light is found: " INTEGRATOR_NAMES},
+    {"spectral", KEY_WORD, "no", RANGE_NAME, "yes: photons of single wavelengths, not of red, green and blue"},
     {.name = NULL},
 };
 
@@ -59,8 +62,12 @@ static bool build_render(SceneBuilder *builder, SceneEntry *entry)
     if (!integrator_parse(scene_word(entry, "integrator"), &integrator))
         return scene_fault(entry, "integrator", "there is no integrator '%s'; expected " INTEGRATOR_NAMES,
                            scene_word(entry, "integrator"));
+    const char *spectral = scene_word(entry, "spectral");
+    if (strcmp(spectral, "yes") != 0 && strcmp(spectral, "no") != 0)
+        return scene_fault(entry, "spectral", "spectral is '%s'; expected yes or no", spectral);
     builder->scene->settings = (RenderSettings){
         .integrator = integrator,
+        .spectral = strcmp(spectral, "yes") == 0,
         .width = (int)scene_whole(entry, "width"),
         .height = (int)scene_whole(entry, "height"),
         .samples = (int)scene_whole(entry, "samples"),

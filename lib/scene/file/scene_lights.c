@@ -1,6 +1,7 @@
 #include "scene/file/scene_section.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 // A Lambertian surface of area A and radiance L sends out Φ = πAL. The file gives one of the two. The surface shines by a
 // material of its own, which stands after those of the file.
@@ -163,6 +164,35 @@ static const LightKind kinds[] = {
          build_beam},
 };
 
+// The file's power, as the spectrum colours it: for red, green and blue without what lies below 0, and for wavelengths.
+static bool set_spectrum(SceneBuilder *builder, SceneEntry *entry, Light *light)
+{
+    Scene *scene = builder->scene;
+    light->given_power = light->power;
+    const char *words = scene_word(entry, "spectrum"), *why;
+    if (words) {
+        light->spectrum = malloc(sizeof *light->spectrum);
+        if (!light->spectrum)
+            return scene_out_of_memory(&builder->file);
+        if (!spectrum_parse(words, light->spectrum, &why))
+            return scene_fault(entry, "spectrum", "no spectrum '%s': %s", words, why);
+        Colour seen = spectrum_colour(light->spectrum, light->given_power, colour_grey(1.0f));
+        for (int c = 0; c < 3; c++)
+            colour_set_channel(&light->power, c, fmaxf(0.0f, colour_channel(seen, c)));
+    }
+    float per_watt = light->area > 0.0f ? 1.0f / (PI * light->area) : 1.0f;
+    if (words && light->area > 0.0f) {
+        light->radiance = colour_scale(light->power, per_watt);
+        scene->materials[scene->material_count - 1].radiance = light->radiance;
+    }
+    for (int c = 0; c < 3; c++) {
+        Colour filter = colour_grey(0.0f);
+        colour_set_channel(&filter, c, per_watt);
+        light->behind[c] = spectrum_colour(light->spectrum, light->given_power, filter);
+    }
+    return true;
+}
+
 static const SceneType *type_at(size_t i)
 {
     return i < sizeof kinds / sizeof kinds[0] ? &kinds[i].type : NULL;
@@ -175,10 +205,17 @@ static bool build(SceneBuilder *builder, SceneEntry *entry)
     if (scene_given(entry, brightness) && colour_max(scene_colour(entry, brightness)) <= 0)
         return scene_fault(entry, brightness, "this light is dark; expected a number above 0");
     Light light = {.type = (LightType)entry->type_number, .primitive = NO_PRIMITIVE};
-    if (!kind->build(builder, entry, &light))
-        return false;
-    builder->scene->lights[builder->scene->light_count++] = light;
-    return true;
+    bool ok = kind->build(builder, entry, &light) && set_spectrum(builder, entry, &light);
+    builder->scene->lights[builder->scene->light_count++] = light; // in any case, so that its spectrum is freed
+    return ok;
 }
 
-const SceneSection light_section = {"lights", "What gives light.", MAX_LIGHTS, true, type_key, NULL, type_at, build};
+static const SceneKey keys[] = {
+    {"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"},
+    {"spectrum", KEY_WORD, KEY_OPTIONAL, RANGE(1, 2000, "characters"),
+     "how its energy is spread over 380 to 730 nm: `daylight` (D65), `sodium`, the nm of a single line, or pairs of nm and energy "
+     "as in `\"400 0, 500 8, 700 18.4\"`; otherwise evenly. The power stays, and is told apart by `--spectral` alone"},
+    {.name = NULL},
+};
+
+const SceneSection light_section = {"lights", "What gives light.", MAX_LIGHTS, true, keys, NULL, type_at, build};

@@ -18,14 +18,15 @@ static const char *glass_name(const void *unused, size_t i)
     return glass ? glass->name : NULL;
 }
 
-static bool catalogue_indices(const SceneEntry *entry, const char *name, float index[3])
+static bool catalogue_indices(const SceneEntry *entry, const char *name, Material *material)
 {
     const SellmeierGlass *glass = glass_find(name);
     if (!glass)
         return scene_fault(entry, "glass", "there is no glass '%s'; %s", name,
                            text_suggest(name, glass_name, NULL).text);
+    material->sellmeier = glass;
     for (int c = 0; c < 3; c++)
-        index[c] = (float)glass_index(glass, wavelengths[c]);
+        material->index[c] = (float)glass_index(glass, wavelengths[c]);
     return true;
 }
 
@@ -57,7 +58,7 @@ static bool build(SceneEntry *entry, Material *material)
                            "glass '%s' has %s index; expected exactly one of: index, indices, glass, or "
                            "index_d together with abbe",
                            material->name, ways > 0 ? "no single" : "no");
-    if (named && !catalogue_indices(entry, scene_word(entry, "glass"), index))
+    if (named && !catalogue_indices(entry, scene_word(entry, "glass"), material))
         return false;
     if (abbe && !cauchy_indices(entry, index))
         return false;
@@ -65,6 +66,13 @@ static bool build(SceneEntry *entry, Material *material)
     for (int c = 0; c < 3 && (one || three); c++)
         index[c] = colour_channel(given, c);
     material->disperses = index[0] != index[1] || index[1] != index[2];
+    double a, b;
+    if (abbe)
+        cauchy_coefficients(scene_number(entry, "index_d"), scene_number(entry, "abbe"), &a, &b);
+    else
+        cauchy_through(index, &a, &b);
+    material->cauchy[0] = (float)a;
+    material->cauchy[1] = (float)b;
     return true;
 }
 

@@ -1,5 +1,6 @@
 #include "judge/probe/probe_given.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #define MOST_PHOTONS 4096 // around a point
@@ -23,6 +24,25 @@ bool read_glass(ProbeLine *line, Given *given, Error *error)
     for (int c = 0; c < 3; c++)
         glass->index[c] = (float)probe_number(line);
     glass->disperses = glass->index[0] != glass->index[1] || glass->index[1] != glass->index[2];
+    given->glass = glass;
+    return true;
+}
+
+// A, B, then Sellmeier's b and c; all b 0: it has none.
+bool read_glass_formula(ProbeLine *line, Given *given, Error *error)
+{
+    (void)error;
+    Material *glass = &given->material_read;
+    SellmeierGlass *formula = &given->formula_read;
+    double any = 0.0;
+    glass->type = MATERIAL_GLASS;
+    for (int c = 0; c < 2; c++)
+        glass->cauchy[c] = (float)probe_number(line);
+    for (int i = 0; i < SELLMEIER_TERMS; i++)
+        any += fabs(formula->b[i] = probe_number(line));
+    for (int i = 0; i < SELLMEIER_TERMS; i++)
+        formula->c[i] = probe_number(line);
+    glass->sellmeier = any > 0.0 ? formula : NULL;
     given->glass = glass;
     return true;
 }

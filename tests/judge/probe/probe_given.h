@@ -21,6 +21,7 @@ typedef struct {
 
     Light light_read;
     Material material_read;
+    SellmeierGlass formula_read;
     Photon photon_read;
     Hit hit_read;
     Gather gather_read;
@@ -33,6 +34,7 @@ typedef struct {
 typedef bool Reader(ProbeLine *line, Given *given, Error *error);
 Reader read_arguments; // nothing
 Reader read_glass;
+Reader read_glass_formula;
 Reader read_glass_and_photon;
 Reader read_light;
 Reader read_surroundings;

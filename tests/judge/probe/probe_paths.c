@@ -4,6 +4,7 @@
 
 #include "photons/pass/photon_pass.h"
 
+#include <float.h>
 #include <string.h>
 
 typedef struct {
@@ -39,12 +40,13 @@ static void add_stored(BatchSum *sum, const StoredPhoton *photon)
     add_vec3(sum->from, stored_photon_wi(photon));
 }
 
-static void count_stored(Batch *batch, const StoredPhoton *photon)
+// Single wavelengths have colours with channels below 0.
+static void count_stored(Batch *batch, const StoredPhoton *photon, bool spectral)
 {
     bool sound = photon->material < BATCH_MATERIALS && photon->colour < BATCH_COLOURS && photon->path < BATCH_PATHS;
     for (int c = 0; c < 3; c++) {
         float flux = colour_channel(photon->power, c);
-        sound = sound && flux >= 0.0f && flux < INFINITY;
+        sound = sound && flux >= (spectral ? -FLT_MAX : 0.0f) && flux < INFINITY;
     }
     if (!sound) {
         batch->unusual += 1.0;
@@ -55,7 +57,7 @@ static void count_stored(Batch *batch, const StoredPhoton *photon)
     batch->paths[photon->path] += 1.0;
 }
 
-static void sum_up(const PhotonPass *pass, Batch *batch)
+static void sum_up(const PhotonPass *pass, StepChoice play, Batch *batch)
 {
     memset(batch, 0, sizeof *batch);
     const Ledger *ledger = &pass->ledger;
@@ -68,7 +70,7 @@ static void sum_up(const PhotonPass *pass, Batch *batch)
     batch->segments = (double)pass->segments;
     batch->unsound = (double)pass->unsound.total;
     for (size_t i = 0; i < pass->rest.count; i++)
-        count_stored(batch, &pass->rest.photons[i]);
+        count_stored(batch, &pass->rest.photons[i], play.loop == LOOP_WAVELENGTH);
 }
 
 static bool run_batches(const SceneCase *c, ProbeOutput *output, Error *error)
@@ -84,7 +86,7 @@ static bool run_batches(const SceneCase *c, ProbeOutput *output, Error *error)
         if (!photon_pass_run(c->scene, &options, &pass, error))
             return false;
         Batch batch;
-        sum_up(&pass, &batch);
+        sum_up(&pass, c->play, &batch);
         photon_pass_free(&pass);
         double values[BATCH_NUMBERS];
         memcpy(values, &batch, sizeof batch);

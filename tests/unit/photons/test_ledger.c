@@ -19,8 +19,9 @@ static void check_ledger(const Ledger *ledger, const char *what)
     }
 }
 
-// What every stored photon must be: finite, not negative, and coloured ones dark in the other two channels.
-static void check_photons(const PhotonPass *pass, const Scene *scene, const char *what)
+// What every stored photon must be: finite, not negative unless it is of one wavelength, and coloured ones dark in the other two
+// channels.
+static void check_photons(const PhotonPass *pass, const Scene *scene, StepChoice play, const char *what)
 {
     for (size_t i = 0; i < pass->rest.count; i++) {
         const StoredPhoton *photon = &pass->rest.photons[i];
@@ -29,7 +30,7 @@ static void check_photons(const PhotonPass *pass, const Scene *scene, const char
                     (photon->path == PATH_DIRECT) == (photon->bounce == 0);
         for (int c = 0; c < 3; c++) {
             float power = colour_channel(photon->power, c);
-            fine = fine && isfinite(power) && power >= 0.0f;
+            fine = fine && isfinite(power) && (power >= 0.0f || play.loop == LOOP_WAVELENGTH);
             fine = fine && (photon->colour == WHITE || photon->colour == RED + c || power == 0.0f);
         }
         if (!fine)
@@ -40,13 +41,14 @@ static void check_photons(const PhotonPass *pass, const Scene *scene, const char
 
 static void check_scene(const Scene *scene, const char *name)
 {
-    for (int i = 0; i < 4; i++) {
-        StepChoice play = {i & 1 ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG, i & 2};
+    for (int i = 0; i < 6; i++) {
+        StepChoice play = {i & 1 ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG, i / 2};
         char what[300];
-        snprintf(what, sizeof what, "%s with steps %s,%s", name, i & 1 ? "2.3" : "2.4", i & 2 ? "1.5" : "3.4");
+        static const char *const loops[] = {[LOOP_COLOUR] = "3.4", [LOOP_PLAIN] = "1.5", [LOOP_WAVELENGTH] = "6.4"};
+        snprintf(what, sizeof what, "%s with steps %s,%s", name, i & 1 ? "2.3" : "2.4", loops[play.loop]);
         PhotonPass pass = photons_of(scene, PHOTONS, 1, play);
         check_ledger(&pass.ledger, what);
-        check_photons(&pass, scene, what);
+        check_photons(&pass, scene, play, what);
     }
     assert_int_equal(redraw_cap_count(), 0);
 }

@@ -1,0 +1,57 @@
+// Step 6.1: Sellmeier's formula for real glass, Cauchy's for other.
+#include "judge/checks/directions.h"
+#include "scene/glass_catalogue.h"
+
+#include <stdio.h>
+
+// Two of Cauchy's form before the catalogue's.
+static const double cauchy[][2] = {{1.5046, 0.0042}, {1.74, 0.018}};
+#define CAUCHY      2
+#define GLASSES     8
+#define WAVELENGTHS 6
+static const double wavelengths[WAVELENGTHS] = {380, 441.6, 500, 546.1, 632.8, 730};
+
+static const SellmeierGlass *glass_of(int number)
+{
+    return number < CAUCHY ? NULL : glass_at((size_t)(number - CAUCHY));
+}
+
+static double expected_index(int number, double wavelength)
+{
+    return number < CAUCHY ? cauchy[number][0] + cauchy[number][1] * 1e6 / (wavelength * wavelength)
+                           : glass_index(glass_of(number), wavelength);
+}
+
+static void plan_index(Plan *plan)
+{
+    for (int i = 0; i < GLASSES * WAVELENGTHS; i++) {
+        double arguments[3 + 2 * SELLMEIER_TERMS] = {0};
+        const SellmeierGlass *glass = glass_of(i / WAVELENGTHS);
+        for (int c = 0; c < 2 && !glass; c++)
+            arguments[c] = cauchy[i / WAVELENGTHS][c];
+        for (int t = 0; t < SELLMEIER_TERMS && glass; t++) {
+            arguments[2 + t] = glass->b[t];
+            arguments[2 + SELLMEIER_TERMS + t] = glass->c[t];
+        }
+        arguments[2 + 2 * SELLMEIER_TERMS] = wavelengths[i % WAVELENGTHS];
+        plan_call(plan, 1, arguments, 3 + 2 * SELLMEIER_TERMS);
+    }
+}
+
+static void judge_index(const Results *results, Finding *finding)
+{
+    for (int i = 0; i < GLASSES * WAVELENGTHS; i++) {
+        const SellmeierGlass *glass = glass_of(i / WAVELENGTHS);
+        double wavelength = wavelengths[i % WAVELENGTHS], expected = expected_index(i / WAVELENGTHS, wavelength);
+        const float *found = numbers_of(results, (size_t)i, 1, finding);
+        char inputs[100];
+        snprintf(inputs, sizeof inputs, "%s at %.4g nm", glass ? glass->name : "glass of Cauchy's form", wavelength);
+        if (found && all_finite(found, 1, "an index", inputs, i, finding) &&
+            !(fabs((double)*found - expected) <= 1e-5 * expected))
+            finding_fail(finding, i, "for %s: expected the index %.6f, found %.6f", inputs, expected, (double)*found);
+        finding_feature(finding, found ? (double)*found / expected - 1.0 : (double)NAN, 0.0);
+    }
+}
+
+DEFINE_CHECKS(index_at_wavelength,
+              {"index", "Real glasses and made-up ones", CHECK_VALUES, plan_index, judge_index, false})
