@@ -39,6 +39,11 @@ size_t plan_paths(Plan *plan, const char *scene, long photons, long batches, int
 size_t plan_picture(Plan *plan, const char *integrator, const char *scene, int side, long photons, int k, int depth,
                     const char *steps);
 
+// Inputs that nobody can know before: a float of [low, high] by the plan's seed, the same for the same use; and one whose
+// logarithm is spread evenly.
+double drawn_input(uint64_t seed, int use, double low, double high);
+double drawn_magnitude(uint64_t seed, int use, double low, double high);
+
 typedef struct {
     const float *values;
     size_t count;

@@ -68,6 +68,17 @@ size_t plan_picture(Plan *plan, const char *integrator, const char *scene, int s
     return plan_line(plan, line);
 }
 
+double drawn_input(uint64_t seed, int use, double low, double high)
+{
+    double share = (double)(hash_u64(seed ^ hash_u64((uint64_t)use)) >> 11) / 9007199254740992.0;
+    return (double)(float)(low + (high - low) * share);
+}
+
+double drawn_magnitude(uint64_t seed, int use, double low, double high)
+{
+    return (double)(float)exp(drawn_input(seed, use, log(low), log(high)));
+}
+
 void finding_fail(Finding *finding, long failing_case, const char *format, ...)
 {
     if (finding->failed)
