@@ -22,8 +22,7 @@ framework_version() {
 }
 
 # copy_files TO: the files whose names come in.
-copy_files() {
-    while IFS= read -r file; do
-        mkdir -p "$1/$(dirname "$file")" && cp -p "$file" "$1/$file" || return 1
-    done
-}
+copy_files() (
+    set -o pipefail
+    mkdir -p "$1" && tar -cf - -T - | tar -xpf - -C "$1"
+)

@@ -20,10 +20,11 @@ compare() {
 }
 
 for scene in box_diffuse box_glass; do
-    if [ $scene = box_diffuse ]; then gathered=2.6e-4; else gathered=4.2e-4; fi # POV-Ray's own errors
+    # POV-Ray's own errors; and paths find the lamp through glass by chance only, which takes more of them.
+    if [ $scene = box_diffuse ]; then gathered=2.6e-4 paths=4; else gathered=4.2e-4 paths=16; fi
     xz -dc "$here/${scene}_512.pfm.xz" >"$work/$scene.pfm"
-    compare "$scene, path" $scene 0 --integrator path --samples 16 --depth 64
+    compare "$scene, path" $scene 0 --integrator path --samples $paths --depth 64
     compare "$scene, gather" $scene $gathered --integrator gather --photons 400000 --k 60 --samples 16 --depth 64
-    compare "$scene, photons" $scene 2e-3 --photons 2000000 --k 200 --samples 16 --depth 64
+    compare "$scene, photons" $scene 2e-3 --photons 2000000 --k 200 --samples 8 --depth 64
 done
 finish
