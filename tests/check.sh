@@ -2,6 +2,7 @@
 # Everything `make check` runs, part by part, with the sum of all tests at the end. The makefiles say which targets are parts, and
 # when (see tests/tests.mk). Usage: check.sh MAKE MAKEFILE…
 set -u
+export OMP_WAIT_POLICY=passive # parts run side by side: a thread that waits must not keep a core busy
 make=$1
 shift
 passed=0

@@ -6,7 +6,7 @@ void stages_grade(const Arguments *a, const StepResult *results, int count, Stag
 {
     if (a->step || a->features)
         return;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(parallel_threads(a->jobs))
+#pragma omp parallel for schedule(dynamic, 1) num_threads(parallel_threads(a->jobs)) if (a->stage == 0)
     for (int i = 0; i < STAGE_COUNT; i++) {
         if (a->stage != 0 && a->stage != i + 1)
             continue;
