@@ -120,6 +120,8 @@ if ! nm -D "$program" | grep -q __asan && ${CC:-cc} -shared -fPIC "$work/short.c
         [ "$code" -le 1 ] || bad "allocation $fails fails in diff: exit code $code"
     done
     good "diff with each of its allocations failing"
+    expect 1 "not enough memory for the photons of 200000000 paths" \
+        bash -c "ulimit -v 1000000; timeout 20 $program photons scenes/box_diffuse.yaml --photons 200000000 --threads 2 -o $work/many.ply"
 fi
 
 # Passes: in parts, and gone on with, the same bytes.

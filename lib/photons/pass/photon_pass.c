@@ -3,9 +3,11 @@
 #include "base/parallel.h"
 #include "steps/steps.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 
-#define CHUNK 4096 // paths a thread takes at a time
+#define CHUNK        4096 // paths a thread takes at a time
+#define CHUNKS_TRIED 64   // after so many it is known how much memory all will take
 
 // Probability and running sum by which a light is picked, in proportion to its power.
 typedef struct {
@@ -213,21 +215,46 @@ static long last_path(const PhotonPassOptions *options)
     return options->last > 0 ? options->last : options->photons;
 }
 
-static void trace_all(const Scene *scene, const PhotonPassOptions *options, const LightChance *chances,
+// Room for all photons, in their chunks and joined, going by those of the first chunks? Asked for and given back,
+// which a compiler would leave out.
+static bool all_will_fit(size_t stored, long done, long chunk_count)
+{
+    double bytes = 2.0 * (double)stored * (double)chunk_count / (double)done * (double)sizeof(StoredPhoton);
+    void *volatile room = bytes < (double)(SIZE_MAX / 2) ? malloc((size_t)bytes + 1) : NULL;
+    free(room);
+    return room != NULL;
+}
+
+// False at the first lack of memory: the rest is left out.
+static bool trace_all(const Scene *scene, const PhotonPassOptions *options, const LightChance *chances,
                       PhotonTrace *chunks, long chunk_count)
 {
     long done = 0;
     long end = last_path(options);
+    size_t stored = 0;
+    bool enough = true;
 #pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
     for (long i = 0; i < chunk_count; i++) {
+        bool going;
+#pragma omp atomic read
+        going = enough;
+        if (!going)
+            continue;
         PhotonTrace trace = {.scene = scene, .options = options};
         long first = options->first + i * CHUNK;
         long last = first + CHUNK < end ? first + CHUNK : end;
         trace_chunk(&trace, chances, first, last);
         chunks[i] = trace; // at the end: neighbours in the array share cache lines
 #pragma omp critical(photon_pass_progress)
-        progress_report(&options->progress, "photons", (double)++done / (double)chunk_count);
+        {
+            stored += trace.count;
+            if (trace.out_of_memory || (++done == CHUNKS_TRIED && !all_will_fit(stored, done, chunk_count)))
+#pragma omp atomic write
+                enough = false;
+            progress_report(&options->progress, "photons", (double)done / (double)chunk_count);
+        }
     }
+    return enough;
 }
 
 bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, PhotonPass *pass, Error *error)
@@ -239,10 +266,8 @@ bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, Photo
     LightChance *chances = light_chances(scene);
     bool ok = chunks && chances;
     if (ok) {
-        trace_all(scene, options, chances, chunks, chunk_count);
+        ok = trace_all(scene, options, chances, chunks, chunk_count);
         close_books(pass, chunks, chunk_count);
-        for (long i = 0; i < chunk_count; i++)
-            ok = ok && !chunks[i].out_of_memory;
         ok = ok && merge(pass, chunks, chunk_count, options);
         for (long i = 0; i < chunk_count; i++)
             free(chunks[i].photons);
