@@ -1,5 +1,6 @@
 #include "judge/grade/crash.h"
 #include "base/crash_words.h"
+#include "judge/probe/probe.h"
 
 #include <seccomp.h>
 #include <signal.h>
@@ -154,6 +155,8 @@ static void describe_exit(const SandboxResult *ran, char *message, size_t size)
                  symbol + 18);
     else if (sanitizer && ran->exit_code != 0)
         snprintf(message, size, "the sanitizer found: %.*s", (int)strcspn(sanitizer + 11, "\n "), sanitizer + 11);
+    else if (strstr(ran->text, PROBE_NOT_AGAIN) && ran->exit_code == 1)
+        snprintf(message, size, "it " PROBE_NOT_AGAIN ": random numbers of its own, or memory that it never set?");
     else if (own && ran->exit_code == 1)
         snprintf(message, size, "the probe could not go on: %.*s", (int)strcspn(own + 2, "\n"), own + 2);
     else

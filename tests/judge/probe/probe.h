@@ -48,6 +48,11 @@ bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error);
 
+// Whose result hangs on more than what it was given has random numbers of its own, or reads what it never set.
+#define PROBE_NOT_AGAIN                                                                                                \
+    "gave another result when it was called again with the same arguments and the same random numbers"
+bool probe_same_again(const ProbeOutput *first, const ProbeOutput *again, Error *error);
+
 // From here on, a crash writes one line to standard error before the program dies of it:
 //   photonlab-crash signal=11 case=3 address=0x0 stack=near|far peak_kb=N step=ID frames=OFFSET,OFFSET…
 // where frames are places in `object`, innermost first; of several objects, objects/ID/step.so, in the innermost one that

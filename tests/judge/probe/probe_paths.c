@@ -5,7 +5,10 @@
 #include "photons/pass/photon_pass.h"
 
 #include <float.h>
+#include <stdlib.h>
 #include <string.h>
+
+#define PATHS_REPEATED 64
 
 typedef struct {
     Scene *scene;
@@ -73,27 +76,45 @@ static void sum_up(const PhotonPass *pass, StepChoice play, Batch *batch)
         count_stored(batch, &pass->rest.photons[i], play.loop == LOOP_WAVELENGTH);
 }
 
+static bool run_batch(const SceneCase *c, long i, long paths, ProbeOutput *output, Error *error)
+{
+    PhotonPassOptions options = {.photons = c->photons,
+                                 .last = paths < c->photons ? paths : c->photons,
+                                 .depth = (int)c->depth,
+                                 .seed = hash_u64(c->seed + (uint64_t)i),
+                                 .threads = 1,
+                                 .keep = KEEP_ALL,
+                                 .play = c->play};
+    PhotonPass pass;
+    if (!photon_pass_run(c->scene, &options, &pass, error))
+        return false;
+    Batch batch;
+    sum_up(&pass, c->play, &batch);
+    photon_pass_free(&pass);
+    double values[BATCH_NUMBERS];
+    memcpy(values, &batch, sizeof batch);
+    for (size_t j = 0; j < BATCH_NUMBERS; j++)
+        probe_put(output, (float)values[j]);
+    return true;
+}
+
+// A few paths, twice: are they the same again?
+static bool repeats(const SceneCase *c, Error *error)
+{
+    ProbeOutput first = {0}, again = {0};
+    bool ok = run_batch(c, 0, PATHS_REPEATED, &first, error) && run_batch(c, 0, PATHS_REPEATED, &again, error) &&
+              probe_same_again(&first, &again, error);
+    free(first.values);
+    free(again.values);
+    return ok;
+}
+
 static bool run_batches(const SceneCase *c, ProbeOutput *output, Error *error)
 {
-    for (long i = 0; i < c->batches; i++) {
-        PhotonPassOptions options = {.photons = c->photons,
-                                     .depth = (int)c->depth,
-                                     .seed = hash_u64(c->seed + (uint64_t)i),
-                                     .threads = 1,
-                                     .keep = KEEP_ALL,
-                                     .play = c->play};
-        PhotonPass pass;
-        if (!photon_pass_run(c->scene, &options, &pass, error))
-            return false;
-        Batch batch;
-        sum_up(&pass, c->play, &batch);
-        photon_pass_free(&pass);
-        double values[BATCH_NUMBERS];
-        memcpy(values, &batch, sizeof batch);
-        for (size_t j = 0; j < BATCH_NUMBERS; j++)
-            probe_put(output, (float)values[j]);
-    }
-    return true;
+    bool ok = repeats(c, error);
+    for (long i = 0; ok && i < c->batches; i++)
+        ok = run_batch(c, i, c->photons, output, error);
+    return ok;
 }
 
 bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error)

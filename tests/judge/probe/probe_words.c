@@ -90,3 +90,10 @@ bool probe_at_end(ProbeLine *line)
 {
     return line->rest[strspn(line->rest, " ")] == '\0';
 }
+
+bool probe_same_again(const ProbeOutput *first, const ProbeOutput *again, Error *error)
+{
+    bool same = first->count == again->count;
+    return (same && (first->count == 0 || memcmp(first->values, again->values, first->count * sizeof(float)) == 0)) ||
+           error_set(error, PROBE_NOT_AGAIN);
+}
