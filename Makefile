@@ -120,7 +120,7 @@ include lib/preview/preview.mk tests/judge/judge.mk tests/steps/exercises.mk
 # A line of two hashes tells of a target: "## NAME  words" to students, "##teacher NAME  words", "##maintainer NAME  words". And
 # "##check WHEN NAME  words" makes it a part of `make check`, WHEN being when tests/check.sh runs it; `long`: never.
 
-.PHONY: help demo render meshes check compile_commands.json clean
+.PHONY: help demo render render-parallel render-slurm meshes check compile_commands.json clean
 HELP = $(addprefix help-,teacher maintainer checks)
 .PHONY: $(HELP)
 help $(HELP):
@@ -131,6 +131,17 @@ SCENE ?= scenes/box_glass.yaml
 CODE_ASKED = $(filter-out undefined file,$(origin CODE))
 render: all meshes $(if $(CODE_ASKED),code-built)
 	$(PROGRAM) render $(call quoted,$(SCENE)) -o $(call quoted,$(BUILD)/$(notdir $(SCENE:.yaml=.png))) $(if $(CODE_ASKED),--code $(CODE_BUILD)) $(FLAGS)
+
+##maintainer render-parallel  a picture by passes on many machines: SSH=anna,bert,: [SCENE=…] [PASSES=64] [PARTS=8] [FLAGS=…]; scenes/machines/
+##maintainer render-slurm  the same by a Slurm cluster
+PASSES ?= 64
+PARTS  ?= 8
+SSH    ?= :
+MANY    = $(PROGRAM) $(call quoted,$(SCENE)) $(call quoted,$(BUILD)/$(notdir $(SCENE:.yaml=.png))) $(PASSES) $(PARTS)
+render-parallel: all meshes
+	@bash scenes/machines/parallel.sh $(MANY) $(call quoted,$(SSH)) $(FLAGS)
+render-slurm: all meshes
+	@bash scenes/machines/slurm.sh $(MANY) $(FLAGS)
 
 ## demo  the course's pictures, rendered into build/demo/
 demo: all meshes

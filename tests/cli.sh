@@ -158,6 +158,11 @@ same_file whole.pfm merged.pfm "four parts give the picture of one run"
 same_file whole.pfm again.pfm "a file of all passes gives it, too"
 same_file whole.pfm resumed_pass.pfm "so does a run that goes on"
 same_file pixel.pfm resumed_pixel.pfm "also where each pixel has its radius"
+if command -v parallel >/dev/null; then
+    rm -rf "$work/many.pfm.parts"
+    expect 0 "" bash scenes/machines/parallel.sh "$program" $scene "$work/many.pfm" 11 3 : $quick
+    same_file whole.pfm many.pfm "and what GNU parallel shares out"
+fi
 "$program" render $scene $quick --passes 100000 -o "$work/stopped.pfm" 2>/dev/null &
 until [ -s "$work/stopped.pfm" ]; do sleep 0.1; done
 kill -TERM $!
