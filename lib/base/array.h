@@ -2,20 +2,26 @@
 #ifndef PHOTONLAB_BASE_ARRAY_H
 #define PHOTONLAB_BASE_ARRAY_H
 
-#include <stddef.h>
+#include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
-// Makes sure that items[count] may be written: returns the array, larger and moved where it was full. NULL when memory
-// is short: the old array stays as it is.
-static inline void *array_reserve(void *items, size_t count, size_t *capacity, size_t item_size)
+// Makes room for `count` items in all. `array` points to the pointer to the first, whatever its type, which changes where
+// the array has to move. False when memory is short: the old array stays as it is.
+static inline bool array_reserve(void *array, size_t count, size_t *capacity, size_t item_size)
 {
-    if (count < *capacity)
-        return items;
+    if (count <= *capacity)
+        return true;
     size_t larger = *capacity ? *capacity * 2 : 64;
-    void *moved = realloc(items, larger * item_size);
-    if (moved)
-        *capacity = larger;
-    return moved;
+    larger = larger > count ? larger : count;
+    void *items;
+    memcpy(&items, array, sizeof items);
+    items = realloc(items, larger * item_size);
+    if (!items)
+        return false;
+    memcpy(array, &items, sizeof items);
+    *capacity = larger;
+    return true;
 }
 
 #endif

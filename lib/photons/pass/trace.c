@@ -153,12 +153,11 @@ void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
         recorder->stored(recorder->user, &stored, photon->flown);
         return;
     }
-    StoredPhoton *photons = array_reserve(trace->photons, trace->count, &trace->capacity, sizeof *photons);
-    trace->out_of_memory |= !photons;
-    if (!photons)
+    if (!array_reserve(&trace->photons, trace->count + 1, &trace->capacity, sizeof stored)) {
+        trace->out_of_memory = true;
         return;
-    trace->photons = photons;
-    photons[trace->count++] = stored;
+    }
+    trace->photons[trace->count++] = stored;
     trace->caustics += photon->path == PATH_CAUSTIC;
 }
 

@@ -74,13 +74,12 @@ static void start(Helper *helper, const WireOrder *order, const int *pipes)
     if (order->code[0])
         output_end(&helper->output); // what it prints is counted anew
     for (int i = 0; i < order->workers; i++) {
-        Child *children = array_reserve(helper->children, helper->count, &helper->capacity, sizeof *children);
-        Child child = {children ? fork() : -1, order->run, i};
-        helper->children = children ? children : helper->children;
+        bool room = array_reserve(&helper->children, helper->count + 1, &helper->capacity, sizeof(Child));
+        Child child = {room ? fork() : -1, order->run, i};
         if (child.pid == 0)
             become_worker(helper, order, pipes, i);
         if (child.pid > 0)
-            children[helper->count++] = child;
+            helper->children[helper->count++] = child;
         else
             tell_end(helper, &child, 127 << 8);
     }

@@ -1,5 +1,6 @@
 // Messages of workers, taken as they come.
 #include "preview/run/run_internal.h"
+#include "base/array.h"
 #include "base/parallel.h"
 
 #include <errno.h>
@@ -8,26 +9,11 @@
 #include <string.h>
 #include <unistd.h>
 
-static bool buffer_reserve(Buffer *buffer, size_t size)
-{
-    if (size <= buffer->capacity)
-        return true;
-    size_t capacity = buffer->capacity ? buffer->capacity : 4096;
-    while (capacity < size)
-        capacity *= 2;
-    char *bytes = realloc(buffer->bytes, capacity);
-    if (!bytes)
-        return false;
-    buffer->bytes = bytes;
-    buffer->capacity = capacity;
-    return true;
-}
-
 bool buffer_add(Buffer *buffer, const void *bytes, size_t size)
 {
     if (size == 0)
         return true;
-    if (!buffer_reserve(buffer, buffer->size + size))
+    if (!array_reserve(&buffer->bytes, buffer->size + size, &buffer->capacity, 1))
         return false;
     memcpy(buffer->bytes + buffer->size, bytes, size);
     buffer->size += size;
@@ -167,7 +153,7 @@ bool part_read(Run *run, Part *part, double until)
         if (clock_seconds() > until)
             return true;
         size_t size = message_size(message);
-        bool has_memory = size <= WIRE_MOST_BYTES && buffer_reserve(message, size);
+        bool has_memory = size <= WIRE_MOST_BYTES && array_reserve(&message->bytes, size, &message->capacity, 1);
         ssize_t got = has_memory ? read(part->pipe, message->bytes + message->size, size - message->size) : 0;
         if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
             return news;

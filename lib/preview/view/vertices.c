@@ -1,6 +1,8 @@
 // Lists of vertices, and buffers that remember what they were made of.
 #include "preview/view/view_internal.h"
 
+#include "base/array.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,15 +16,7 @@ void vertices_free(Vertices *list)
 
 bool vertices_reserve(Vertices *list, size_t more)
 {
-    if (list->count + more <= list->capacity)
-        return true;
-    size_t capacity = list->capacity * 2 > list->count + more ? list->capacity * 2 : list->count + more;
-    Vertex *items = realloc(list->items, capacity * sizeof *items);
-    if (!items)
-        return false;
-    list->items = items;
-    list->capacity = capacity;
-    return true;
+    return array_reserve(&list->items, list->count + more, &list->capacity, sizeof *list->items);
 }
 
 void vertices_point(Vertices *list, Vec3 at, Rgba colour)

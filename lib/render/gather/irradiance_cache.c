@@ -93,10 +93,8 @@ static float cell_of(const IrradianceCache *cache, int grid)
 
 static bool add_link(IrradianceCache *cache, size_t slot)
 {
-    Link *links = array_reserve(cache->links, cache->link_count, &cache->link_capacity, sizeof *links);
-    if (!links)
+    if (!array_reserve(&cache->links, cache->link_count + 1, &cache->link_capacity, sizeof *cache->links))
         return false;
-    cache->links = links;
     cache->links[cache->link_count] = (Link){(uint32_t)cache->count, cache->heads[slot]};
     cache->heads[slot] = (uint32_t)cache->link_count++;
     return true;
@@ -104,10 +102,8 @@ static bool add_link(IrradianceCache *cache, size_t slot)
 
 bool irradiance_cache_add(IrradianceCache *cache, const IrradianceEstimate *estimate)
 {
-    IrradianceEstimate *estimates = array_reserve(cache->estimates, cache->count, &cache->capacity, sizeof *estimates);
-    if (!estimates)
+    if (!array_reserve(&cache->estimates, cache->count + 1, &cache->capacity, sizeof *cache->estimates))
         return false;
-    cache->estimates = estimates;
     float radius = cache->accuracy * estimate->reach;
     int grid = 0;
     while (grid + 1 < GRIDS && cell_of(cache, grid + 1) >= 2.0f * radius)

@@ -106,14 +106,12 @@ static Vec3 *read_vector(Reader *reader, const char *what, Vec3 **list, size_t *
         fault(reader, "a %s has %d numbers; expected 3", what, read);
         return NULL;
     }
-    Vec3 *moved = array_reserve(*list, *count, capacity, sizeof *moved);
-    if (!moved) {
+    if (!array_reserve(list, *count + 1, capacity, sizeof **list)) {
         memory_fault(reader);
         return NULL;
     }
-    *list = moved;
-    moved[*count] = vec3((float)number[0], (float)number[1], (float)number[2]);
-    return &moved[(*count)++];
+    (*list)[*count] = vec3((float)number[0], (float)number[1], (float)number[2]);
+    return &(*list)[(*count)++];
 }
 
 static bool read_normal(Reader *reader)
@@ -176,12 +174,9 @@ static bool add_triangle(const Reader *reader, Corner a, Corner b, Corner c)
     Vec3 origin = mesh->points[a.point];
     if (flat_is_degenerate(vec3_sub(mesh->points[b.point], origin), vec3_sub(mesh->points[c.point], origin)))
         return true;
-    ObjTriangle *triangle =
-        array_reserve(mesh->triangles, mesh->triangle_count, &mesh->triangle_capacity, sizeof *triangle);
-    if (!triangle)
+    if (!array_reserve(&mesh->triangles, mesh->triangle_count + 1, &mesh->triangle_capacity, sizeof(ObjTriangle)))
         return memory_fault(reader);
-    mesh->triangles = triangle;
-    triangle += mesh->triangle_count++;
+    ObjTriangle *triangle = &mesh->triangles[mesh->triangle_count++];
     *triangle = (ObjTriangle){{a.point, b.point, c.point}, {a.normal, b.normal, c.normal}, reader->material};
     if (a.normal == OBJ_NONE || b.normal == OBJ_NONE || c.normal == OBJ_NONE)
         triangle->normal[0] = triangle->normal[1] = triangle->normal[2] = OBJ_NONE;

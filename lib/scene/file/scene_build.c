@@ -5,11 +5,9 @@
 bool scene_add_flat(SceneBuilder *builder, Flat flat)
 {
     Scene *scene = builder->scene;
-    Flat *flats = array_reserve(scene->flats, scene->flat_count, &builder->flat_capacity, sizeof flat);
-    if (!flats)
+    if (!array_reserve(&scene->flats, scene->flat_count + 1, &builder->flat_capacity, sizeof flat))
         return scene_out_of_memory(&builder->file);
-    scene->flats = flats;
-    flats[scene->flat_count++] = flat;
+    scene->flats[scene->flat_count++] = flat;
     return true;
 }
 

@@ -45,11 +45,9 @@ static bool add_corner_normals(SceneBuilder *builder, const ObjMesh *mesh, const
 {
     Scene *scene = builder->scene;
     Vec3 face = vec3_cross(flat->edge_u, flat->edge_v);
-    Vec3 *corners = array_reserve(scene->normals, scene->normal_count + 2, &builder->normal_capacity, sizeof *corners);
-    if (!corners)
+    if (!array_reserve(&scene->normals, scene->normal_count + 3, &builder->normal_capacity, sizeof(Vec3)))
         return scene_out_of_memory(&builder->file);
-    scene->normals = corners;
-    corners += scene->normal_count;
+    Vec3 *corners = &scene->normals[scene->normal_count];
     for (int i = 0; i < 3; i++) {
         corners[i] = mesh->normals[triangle->normal[i]]; // turned already
         if (vec3_dot(corners[i], face) <= 0.0f)

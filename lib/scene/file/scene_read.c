@@ -46,13 +46,11 @@ static bool next_key(SceneWalk *walk, TextNameAt name_at, const void *list, bool
 
 static SceneEntry *add_entry(SceneFile *file, int section, ScenePlace place)
 {
-    SceneEntry *entry = array_reserve(file->entries, file->entry_count, &file->entry_capacity, sizeof *entry);
-    if (!entry) {
+    if (!array_reserve(&file->entries, file->entry_count + 1, &file->entry_capacity, sizeof(SceneEntry))) {
         scene_out_of_memory(file);
         return NULL;
     }
-    file->entries = entry;
-    entry += file->entry_count++;
+    SceneEntry *entry = &file->entries[file->entry_count++];
     *entry = (SceneEntry){
         .file = file,
         .section = section,

@@ -32,13 +32,11 @@ const SceneKey *scene_key_at(const SceneSection *section, size_t i)
 
 SceneValue *scene_add_value(SceneFile *file, SceneEntry *entry, const SceneKey *key)
 {
-    SceneValue *value = array_reserve(file->values, file->value_count, &file->value_capacity, sizeof *value);
-    if (!value) {
+    if (!array_reserve(&file->values, file->value_count + 1, &file->value_capacity, sizeof(SceneValue))) {
         scene_out_of_memory(file);
         return NULL;
     }
-    file->values = value;
-    value += file->value_count++;
+    SceneValue *value = &file->values[file->value_count++];
     entry->value_count++;
     *value = (SceneValue){.key = key, .place = entry->place};
     return value;

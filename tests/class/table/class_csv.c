@@ -1,4 +1,5 @@
 #include "class/table/class_table.h"
+#include "base/array.h"
 #include "base/file.h"
 
 #include <stdlib.h>
@@ -41,14 +42,8 @@ static char take_cell(char **at, char separator, char **cell)
 
 static bool add_cell(Csv *csv, size_t *room, size_t count, char *cell)
 {
-    if (count == *room) {
-        size_t more = *room * 2 + 64;
-        char **cells = realloc(csv->cells, more * sizeof *cells);
-        if (!cells)
-            return false;
-        csv->cells = cells;
-        *room = more;
-    }
+    if (!array_reserve(&csv->cells, count + 1, room, sizeof cell))
+        return false;
     csv->cells[count] = cell;
     return true;
 }

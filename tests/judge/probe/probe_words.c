@@ -1,20 +1,17 @@
 // A line's words on their way in, numbers on their way out.
 #include "judge/probe/probe.h"
 
+#include "base/array.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 void probe_put(ProbeOutput *output, float value)
 {
-    if (output->count == output->capacity) {
-        size_t capacity = output->capacity ? 2 * output->capacity : 1024;
-        float *values = realloc(output->values, capacity * sizeof *values);
-        output->out_of_memory = output->out_of_memory || !values;
-        if (!values)
-            return;
-        output->values = values;
-        output->capacity = capacity;
+    if (!array_reserve(&output->values, output->count + 1, &output->capacity, sizeof value)) {
+        output->out_of_memory = true;
+        return;
     }
     output->values[output->count++] = value;
 }

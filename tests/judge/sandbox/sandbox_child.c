@@ -2,6 +2,8 @@
 #define _GNU_SOURCE // F_DUPFD beyond POSIX headers, syscall
 #include "judge/sandbox/sandbox_parts.h"
 
+#include "base/array.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -21,14 +23,9 @@ enum { RESULT_FD = 3, FILTER_FD = 4, COMPLAINT_FD = 5, FIRST_OTHER_FD = 6 };
 
 void words_add(Words *words, const char *format, ...)
 {
-    if (words->count + 1 >= words->capacity) {
-        size_t capacity = words->capacity ? 2 * words->capacity : 64;
-        char **list = realloc(words->list, capacity * sizeof *list);
-        words->out_of_memory = words->out_of_memory || !list;
-        if (!list)
-            return;
-        words->list = list;
-        words->capacity = capacity;
+    if (!array_reserve(&words->list, words->count + 2, &words->capacity, sizeof *words->list)) {
+        words->out_of_memory = true;
+        return;
     }
     va_list arguments, again;
     va_start(arguments, format);
