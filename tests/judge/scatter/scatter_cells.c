@@ -6,30 +6,30 @@
 static int cells_of(const PhotonNumbers *photon, int cells[6])
 {
     int material = (int)photon->material, path = (int)photon->path, bounce = (int)photon->bounce;
-    cells[0] = 0;
-    cells[1] = CELLS_MATERIAL + material;
-    cells[2] = CELLS_PATH + path;
-    cells[3] = CELLS_ON_PATH + 3 * material + path;
-    cells[4] = CELLS_IN_COLOUR + 4 * material + (int)photon->colour;
-    cells[5] = CELLS_BOUNCE + (bounce < BOUNCES ? bounce : BOUNCES - 1);
+    cells[0] = CELL(scene);
+    cells[1] = CELL(material) + material;
+    cells[2] = CELL(path) + path;
+    cells[3] = CELL(path_on_material) + 3 * material + path;
+    cells[4] = CELL(colour_on_material) + 4 * material + (int)photon->colour;
+    cells[5] = CELL(bounce) + (bounce < BOUNCES ? bounce : BOUNCES - 1);
     return 6;
 }
 
 ScatterCell cell_describe(int cell)
 {
     ScatterCell c = {-1, -1, -1, -1};
-    if (cell >= CELLS_BOUNCE) {
-        c.bounce = cell - CELLS_BOUNCE;
-    } else if (cell >= CELLS_IN_COLOUR) {
-        c.material = (cell - CELLS_IN_COLOUR) / 4;
-        c.colour = (cell - CELLS_IN_COLOUR) % 4;
-    } else if (cell >= CELLS_ON_PATH) {
-        c.material = (cell - CELLS_ON_PATH) / 3;
-        c.path = (cell - CELLS_ON_PATH) % 3;
-    } else if (cell >= CELLS_PATH) {
-        c.path = cell - CELLS_PATH;
-    } else if (cell >= CELLS_MATERIAL) {
-        c.material = cell - CELLS_MATERIAL;
+    if (cell >= CELL(bounce)) {
+        c.bounce = cell - CELL(bounce);
+    } else if (cell >= CELL(colour_on_material)) {
+        c.material = (cell - CELL(colour_on_material)) / 4;
+        c.colour = (cell - CELL(colour_on_material)) % 4;
+    } else if (cell >= CELL(path_on_material)) {
+        c.material = (cell - CELL(path_on_material)) / 3;
+        c.path = (cell - CELL(path_on_material)) % 3;
+    } else if (cell >= CELL(path)) {
+        c.path = cell - CELL(path);
+    } else if (cell >= CELL(material)) {
+        c.material = cell - CELL(material);
     }
     return c;
 }

@@ -7,15 +7,6 @@
 #define BATCHES 60
 #define BOUNCES 9 // the last: as many or more
 
-enum {
-    CELLS_MATERIAL = 1, // 0: all of the scene
-    CELLS_PATH = CELLS_MATERIAL + SCATTER_MOST_MATERIALS,
-    CELLS_ON_PATH = CELLS_PATH + 3,
-    CELLS_IN_COLOUR = CELLS_ON_PATH + 3 * SCATTER_MOST_MATERIALS,
-    CELLS_BOUNCE = CELLS_IN_COLOUR + 4 * SCATTER_MOST_MATERIALS,
-    CELLS = CELLS_BOUNCE + BOUNCES
-};
-
 // What is summed of the photons of a cell; spread: squares of the distance from the mean place along each axis.
 typedef union {
     struct {
@@ -31,6 +22,18 @@ typedef struct {
     Measures mean;            // per photon, of this tally
     Measures batch[BATCHES];  // centred sums
 } Cell;
+
+// Which cells there are. A cell's number is its place in this row; CELL(bounce) is that of the first bounce.
+typedef struct {
+    Cell scene;
+    Cell material[SCATTER_MOST_MATERIALS];
+    Cell path[3];
+    Cell path_on_material[SCATTER_MOST_MATERIALS][3];
+    Cell colour_on_material[SCATTER_MOST_MATERIALS][4];
+    Cell bounce[BOUNCES];
+} CellRow;
+#define CELLS       ((int)(sizeof(CellRow) / sizeof(Cell)))
+#define CELL(which) ((int)(offsetof(CellRow, which) / sizeof(Cell)))
 
 typedef struct {
     Cell cells[CELLS];

@@ -80,7 +80,7 @@ static bool is_repeated(const Tally *a, const Tally *b, int c)
     ScatterCell cell = cell_describe(c);
     if (cell.material < 0 || (cell.path < 0 && cell.colour < 0))
         return false;
-    int parent = CELLS_MATERIAL + cell.material;
+    int parent = CELL(material) + cell.material;
     return a->cells[c].count == a->cells[parent].count && b->cells[c].count == b->cells[parent].count;
 }
 
