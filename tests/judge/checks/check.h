@@ -105,7 +105,7 @@ typedef struct {
     const int *count;
 } StepChecks;
 
-extern const StepChecks step_checks[STEP_COUNT]; // tests/judge/checks/step_checks.c
+extern const StepChecks step_checks[STEP_COUNT]; // tests/judge/grade/step_checks.c
 
 extern const char *judge_root; // the checkout, absolute: where scenes and tests/reference/ lie
 
