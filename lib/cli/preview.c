@@ -41,7 +41,8 @@ static const char help_end[] =
     "  --photons N          to emit (200000)\n"
     "  --paths N            paths that are kept as lines (1000)\n"
     "  --depth N, --seed S  as in `photonlab photons`\n"
-    "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5 or 3.4 for the photon's life\n"
+    "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5, 3.4 or 6.4 for the photon's life\n"
+    "  --spectral           photons of single wavelengths, as step 6.4 has them\n"
     "  --bare               no text in the picture; --no-wireframe: no lines of the scene\n"
     "  --context NAME       what draws a snapshot: osmesa, egl, or window, a hidden one (the first that is there)\n"
     "  --code DIR           play the steps built in DIR\n"
@@ -145,6 +146,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"depth", FLAG_INT, &o->depth, 1, MOST_DEPTH},
         {"seed", FLAG_SEED, &o->seed, 0, 0},
         {"steps", FLAG_TEXT, &a->steps, 0, 0},
+        {"spectral", FLAG_PRESENT, &o->spectral, 0, 0},
         {"bare", FLAG_PRESENT, &o->bare, 0, 0},
         {"no-wireframe", FLAG_PRESENT, &a->no_wireframe, 0, 0},
         {"context", FLAG_CHOICE, &a->context, 0, 0},

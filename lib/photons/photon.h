@@ -4,6 +4,7 @@
 
 #include "math/colour.h"
 #include "math/vec3.h"
+#include "scene/spectrum.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -42,11 +43,24 @@ typedef struct {
     Vec3 position;
     Colour power;
     uint32_t packed_wi; // use stored_photon_wi
-    uint8_t colour;     // PhotonColour
+    uint8_t colour;     // PhotonColour; beyond BLUE: of a single wavelength, see wavelength_of_band
     uint8_t path;       // PhotonPath
     uint8_t bounce;     // surfaces met before this one, 255 at most
     uint8_t material;   // index of the material it landed on
 } StoredPhoton;
+
+// A wavelength as one byte behind the PhotonColours, to 0.7 nm: for who looks at photons. Estimates need their power alone.
+#define BAND_FIRST (BLUE + 1)
+#define BAND_WIDTH (WAVELENGTH_RANGE / (255 - BAND_FIRST)) // nm
+static inline uint8_t band_of_wavelength(float wavelength)
+{
+    return (uint8_t)(BAND_FIRST + (int)((wavelength - WAVELENGTH_FIRST) / BAND_WIDTH + 0.5f));
+}
+
+static inline float wavelength_of_band(int colour)
+{
+    return colour < BAND_FIRST ? 0.0f : WAVELENGTH_FIRST + (float)(colour - BAND_FIRST) * BAND_WIDTH;
+}
 
 // Directions as two 16-bit numbers on an octahedron unfolded to a square (Cigolle et al. 2014); error below 1e-4 rad.
 static inline uint32_t direction_pack(Vec3 d)

@@ -7,12 +7,13 @@ bool photon_file_path_is_known(const char *path, Error *error)
            error_set(error, "%s: unknown ending; expected .ply or .csv", path);
 }
 
-// A photon's power scaled so that its strongest channel is 255.
+// A photon's power scaled so that its strongest channel is 255. Of a single wavelength a channel may lie below 0.
 static void display_colour(const StoredPhoton *photon, unsigned char rgb[3])
 {
     float most = colour_max(photon->power);
     for (int c = 0; c < 3; c++)
-        rgb[c] = most > 0.0f ? (unsigned char)(255.0f * colour_channel(photon->power, c) / most + 0.5f) : 0;
+        rgb[c] =
+            most > 0.0f ? (unsigned char)(255.0f * fmaxf(colour_channel(photon->power, c), 0.0f) / most + 0.5f) : 0;
 }
 
 static void write_ply(const StoredPhoton *photons, size_t count, FILE *stream)

@@ -15,7 +15,7 @@ PhotonNumbers photon_numbers(const StoredPhoton *photon, long emission, float fl
     return (PhotonNumbers){.position = {at.x, at.y, at.z},
                            .from = {from.x, from.y, from.z},
                            .power = {photon->power.r, photon->power.g, photon->power.b},
-                           .colour = (float)photon->colour,
+                           .colour = (float)(photon->colour < BAND_FIRST ? photon->colour : WHITE),
                            .bounce = (float)photon->bounce,
                            .path = (float)photon->path,
                            .material = (float)photon->material,

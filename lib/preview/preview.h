@@ -21,6 +21,7 @@ typedef struct {
     long recorded; // paths whose legs are kept
     bool play_is_given;
     StepChoice play;
+    bool spectral;       // photons of single wavelengths
     bool bare;           // no text in the picture
     float orbit_seconds; // the window turns by itself for so long, and tells how fast; 0: it does not
     ContextKind context; // a snapshot is drawn in

@@ -24,6 +24,7 @@ static RunRequest request_for(const Session *session, int player, RunKind kind)
         .code = player == YOURS ? options->code : NULL,
         .play_is_given = options->play_is_given,
         .play = options->play,
+        .spectral = options->spectral,
         .seed = session->seed,
         .photons = session->photons,
         .depth = options->depth,

@@ -69,6 +69,8 @@ void snapshot_command(const Session *session, char *text, size_t size)
         text_append(text, size, " --no-wireframe");
     if (options->code)
         text_append(text, size, " --code %s", options->code);
+    if (options->spectral)
+        text_append(text, size, " --spectral");
     if (options->play_is_given) {
         text_append(text, size, " --steps ");
         step_choice_print(options->play, text + strlen(text), size - strlen(text));

@@ -62,8 +62,9 @@ Colour irradiance_extrapolate(const IrradianceEstimate *estimate, Vec3 position,
     for (int c = 0; c < 3; c++) {
         float at = colour_channel(estimate->irradiance, c);
         float value = at + vec3_dot(turn, estimate->rotation[c]) + vec3_dot(offset, estimate->translation[c]);
-        // Without this bound single pixels explode.
-        colour_set_channel(&result, c, fminf(fmaxf(value, 0.5f * at), 1.6f * at));
+        // Without this bound single pixels explode. With wavelengths `at` may be below 0.
+        float low = fminf(0.5f * at, 1.6f * at), high = fmaxf(0.5f * at, 1.6f * at);
+        colour_set_channel(&result, c, fminf(fmaxf(value, low), high));
     }
     return result;
 }

@@ -66,6 +66,8 @@ static void part_wavelengths(Photon *photon)
 static Colour colour_of_flux(const Photon *photon, const Material *material)
 {
     Colour reflectance = colour_add(material->diffuse, material->specular);
+    if (colour_max(reflectance) <= 0.0f) // black: nobody will see it, but files and views show it
+        reflectance = colour_grey(1.0f);
     Colour sent_back = colour_mul(photon->power, reflectances_for(photon, reflectance));
     Colour sum = colour_grey(0.0f);
     int count = wavelength_count(photon);
@@ -140,11 +142,13 @@ void photon_store(PhotonTrace *trace, const Photon *photon, const Hit *hit)
     if (!(trace->options->keep & (1u << photon->path)))
         return;
     int before = photon->bounce - 1;
+    bool alone =
+        photon->wavelength >= WAVELENGTH_FIRST && photon->wavelength <= WAVELENGTH_LAST && photon->others[0] <= 0.0f;
     StoredPhoton stored = {
         .position = hit->position,
         .power = photon->wavelength > 0.0f ? colour_of_flux(photon, hit->material) : photon->power,
         .packed_wi = direction_pack(vec3_negate(photon->direction)),
-        .colour = (uint8_t)photon->colour,
+        .colour = alone ? band_of_wavelength(photon->wavelength) : (uint8_t)photon->colour,
         .path = (uint8_t)photon->path,
         .bounce = (uint8_t)(before < 255 ? before : 255),
         .material = (uint8_t)(hit->material - trace->scene->materials),

@@ -161,6 +161,9 @@ static bool work(Worker *worker, Error *error)
         return false;
     worker_beat(0.0);
     worker->play = order->request.play_is_given ? order->request.play : step_choice_for_student();
+    bool asked_by_scene = !order->request.play_is_given && worker->scene->settings.spectral;
+    if (order->request.spectral || asked_by_scene)
+        worker->play.loop = LOOP_WAVELENGTH;
     steps_play(worker->play);
     switch (order->request.kind) {
     case RUN_PHOTONS:

@@ -49,15 +49,16 @@ static void take_leg(void *user, const Photon *photon, const Hit *hit)
         s->bounces = photon->bounce + 1;
     if (s->path >= s->worker->order->request.recorded || s->path_legs++ >= MOST_IN_PATH)
         return;
+    float wave = photon->wavelength; // of preview's photons each has but one
     bool light = hit && hit->material->type == MATERIAL_LIGHT;
     s->legs[s->leg_count] = (PathLeg){
         .from = photon->position,
         .to = hit ? hit->position : vec3_along(photon->position, photon->direction, s->reach),
-        .power = photon->power,
+        .power = wave > 0.0f ? colour_scale(spectral_colour(wave), photon->power.r) : photon->power,
         .flown = photon->flown,
         .path = (uint32_t)s->path,
         .bounce = (uint16_t)(photon->bounce < 65535 ? photon->bounce : 65535),
-        .colour = (uint8_t)photon->colour,
+        .colour = wave > 0.0f ? band_of_wavelength(wave) : (uint8_t)photon->colour,
         .end = (uint8_t)(!hit    ? LEG_ESCAPED
                          : light ? LEG_LIGHT
                                  : LEG_SURFACE),

@@ -21,6 +21,7 @@ static bool render_pass(Worker *worker, uint64_t pass, bool quick, Error *error)
         .seed = pass == 0 ? request->seed : hash_u64(request->seed + pass),
         .threads = 1, // a worker a core does passes of its own
         .play = worker->play,
+        .hero = true,
         .glass_sides = 2,
         .reuse = REUSE_DEFAULT,
         .progress = {beat, NULL},

@@ -40,6 +40,11 @@ static void list_colours(const View *view, const ViewData *data, bool all_materi
         list_power(data, legend);
         return;
     case COLOUR_PHOTON:
+        if (data->recording.play.loop == LOOP_WAVELENGTH) {
+            for (int nm = 650; nm >= 450; nm -= 50)
+                legend_add(legend, palette_photon(band_of_wavelength((float)nm)), "%d nm", nm);
+            return;
+        }
         for (int i = 0; i < 4; i++)
             legend_add(legend, palette_photon(i), "%s", photon_colour_name(i));
         return;

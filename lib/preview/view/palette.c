@@ -8,13 +8,17 @@ Rgba palette_photon(int colour)
 {
     // Pure, since points add up: a dense blue spot must not become cyan.
     static const Rgba OF[4] = {{205, 205, 200, 150}, {255, 0, 0, 255}, {0, 235, 0, 255}, {0, 0, 255, 255}};
-    return OF[colour >= 0 && colour < 4 ? colour : 0];
+    if (colour >= BAND_FIRST) {
+        Colour hue = spectral_colour(wavelength_of_band(colour));
+        return rgba_of_power(hue, fmaxf(colour_max(hue), 0.3f)); // the ends of the spectrum fade
+    }
+    return OF[colour >= 0 ? colour : 0];
 }
 
 const char *photon_colour_name(int colour)
 {
     static const char *const NAMES[4] = {"white", "red", "green", "blue"};
-    return colour >= 0 && colour < 4 ? NAMES[colour] : "of no colour";
+    return colour >= 0 && colour < BAND_FIRST ? NAMES[colour] : "of one wavelength";
 }
 
 Rgba palette_bounce(int bounce)

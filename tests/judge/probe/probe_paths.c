@@ -46,7 +46,8 @@ static void add_stored(BatchSum *sum, const StoredPhoton *photon)
 // Single wavelengths have colours with channels below 0.
 static void count_stored(Batch *batch, const StoredPhoton *photon, bool spectral)
 {
-    bool sound = photon->material < BATCH_MATERIALS && photon->colour < BATCH_COLOURS && photon->path < BATCH_PATHS;
+    bool sound = photon->material < BATCH_MATERIALS && (spectral || photon->colour < BATCH_COLOURS) &&
+                 photon->path < BATCH_PATHS;
     for (int c = 0; c < 3; c++) {
         float flux = colour_channel(photon->power, c);
         sound = sound && flux >= (spectral ? -FLT_MAX : 0.0f) && flux < INFINITY;
@@ -55,7 +56,7 @@ static void count_stored(Batch *batch, const StoredPhoton *photon, bool spectral
         batch->unusual += 1.0;
         return;
     }
-    add_stored(&batch->stored[photon->material][photon->colour], photon);
+    add_stored(&batch->stored[photon->material][spectral ? WHITE : photon->colour], photon);
     add_stored(&batch->bounces[photon->bounce < BATCH_BOUNCES ? photon->bounce : BATCH_BOUNCES - 1], photon);
     batch->paths[photon->path] += 1.0;
 }

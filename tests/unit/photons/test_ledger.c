@@ -31,7 +31,8 @@ static void check_photons(const PhotonPass *pass, const Scene *scene, StepChoice
         for (int c = 0; c < 3; c++) {
             float power = colour_channel(photon->power, c);
             fine = fine && isfinite(power) && (power >= 0.0f || play.loop == LOOP_WAVELENGTH);
-            fine = fine && (photon->colour == WHITE || photon->colour == RED + c || power == 0.0f);
+            fine = fine && (photon->colour == WHITE || photon->colour >= BAND_FIRST || photon->colour == RED + c ||
+                            power == 0.0f);
         }
         if (!fine)
             fail_msg("%s: photon %zu is wrong (colour %d, path %d, bounce %d)", what, i, photon->colour, photon->path,

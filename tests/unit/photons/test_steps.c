@@ -242,8 +242,9 @@ TEST(pairs_of_steps)
     assert_false(steps_are_paired(step_find("3.5"), step_find("3.4")) ||
                  steps_are_paired(step_find("1.5"), step_find("2.4")));
     assert_false(step_choice_parse("3.4,1.5", &choice, &error));
-    assert_string_equal(error.message,
-                        "--steps 3.4,1.5: no choice `1.5`; expected 2.4 or 2.3, and 3.4 or 1.5 or 6.4, parted by a comma");
+    assert_string_equal(
+        error.message,
+        "--steps 3.4,1.5: no choice `1.5`; expected 2.4 or 2.3, and 3.4 or 1.5 or 6.4, parted by a comma");
     bool started[STEP_COUNT] = {false};
     started[STEP_trace_photon] = started[STEP_scatter_glossy_source_text] = started[STEP_scatter_glossy_phong] = true;
     step_choice_print(step_choice_for(started), text, sizeof text);
