@@ -1,13 +1,13 @@
 # The course notes: course_notes/*.md become pages in $(BUILD)/notes/. Included by the Makefile.
 
-NOTES_SOURCES = $(filter-out %/index.md,$(wildcard course_notes/*.md))
+NOTES_SOURCES = $(filter-out %/index.md $(NOTES_WITHOUT:%=\%/%.md),$(wildcard course_notes/*.md))
 NOTES_PAGES   = $(patsubst course_notes/%.md,$(BUILD)/notes/%.html,$(NOTES_SOURCES) $(wildcard course_notes/index.md))
 NOTES_TOOLS   = $(addprefix course_notes/,make_page.sh template.html style.css figure.lua words.lua formula.lua word_index.lua)
 NOTES_FIGURES = $(wildcard course_notes/figures/*.*)
 NOTES_HELPERS = $(patsubst course_notes/figures/src/%.c,$(BUILD)/figures/%,$(wildcard course_notes/figures/src/*.c))
 PANDOC       := $(shell command -v pandoc 2>/dev/null)
 
-.PHONY: notes notes-pages notes-pandoc notes-list figures figure-helpers check-notes check-figures check-notes-browser
+.PHONY: notes publish notes-pages notes-pandoc notes-list figures figure-helpers check-notes check-figures check-notes-browser
 
 notes-pandoc:
 	@command -v pandoc >/dev/null || { echo "The notes are made by pandoc, which is not here. On Debian: sudo apt-get install pandoc" >&2; exit 1; }
@@ -34,6 +34,10 @@ notes-pages: notes-pandoc $(NOTES_PAGES)
 notes: notes-pages
 	@bash course_notes/make_pdf.sh $(BUILD)
 	@echo "$(BUILD)/notes/index.html"
+
+##maintainer publish  the notes without the teachers' page, for everybody: build/public/notes/
+publish:
+	+@$(MAKE) --no-print-directory notes BUILD=$(BUILD)/public NOTES_WITHOUT=teachers
 
 # Programs that compute what a figure shows.
 $(BUILD)/figures/%: $(BUILD)/obj/course_notes/figures/src/%.o $(LIBRARY)

@@ -22,7 +22,7 @@ secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|malformed|extend|s
 secret="$secret|^tests/[^/]*\\.(awk|md|mk|sh)\$|^tests/judge/.*test|^tests/judge/(calibrate/|features_table\\.sh|grade_case\\.sh)"
 secret="$secret|^tests/steps/(make_exercises\\.sh|stub\\.awk)"
 # Programs behind figures in which a line or two of a step stand, right or wrong; and what plays the known mistakes.
-secret="$secret|^course_notes/figures/src/[0-9a-z]*_((ledger|roulette|sample|curves|gather)\\.c|play\\.sh|patches\\.awk)\$"
+secret="$secret|^course_notes/figures/src/[0-9a-z]*_((ledger|roulette|sample|curves|gather)\\.c|(play|terminal)\\.sh|patches\\.awk)\$"
 [ -n "$with" ] || secret="$secret|^solutions/"
 students='^tests/(common\.sh|setup\.sh|help\.awk)$|^tests/class/(class\.mk|submit\.sh|update\.sh)$|^tests/mistakes/features\.txt$'
 framework_files | grep -E "$students" >"$work/list"
