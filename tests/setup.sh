@@ -10,7 +10,7 @@ for target in "$@"; do
     case $target in
     bench) packages="$packages g++ libnanoflann-dev libembree-dev povray xz-utils" ;;
     check* | class-trial | reference | agreement | bench-* | calibrate | fuzz | *figures | *-table)
-        packages="$packages libcmocka-dev clang libomp-dev xz-utils patch jq libxml2-utils perl xvfb xdotool gnuplot-nox"
+        packages="$packages libcmocka-dev clang libomp-dev xz-utils patch jq libxml2-utils perl python3 xvfb xdotool gnuplot-nox"
         ;;
     esac
 done
@@ -19,9 +19,9 @@ where_there_is="libosmesa6"
 
 others='photonlab needs a C99 compiler, GNU make, libpng and libyaml; make test also GSL, jansson, libseccomp, bubblewrap,
 libarchive and gdb; make preview GLFW, the stb headers and OSMesa or EGL; make notes pandoc, its figures gnuplot; its own tests also
-cmocka, clang with OpenMP, xz, patch, GNU parallel, zip, unzip, jq, xmllint, perl, Xvfb and xdotool.
+cmocka, clang with OpenMP, xz, patch, GNU parallel, zip, unzip, jq, xmllint, perl, python3, Xvfb and xdotool.
   Fedora     sudo dnf install gcc make pkgconf libpng-devel libyaml-devel libcmocka-devel clang libomp-devel xz \
-                 gsl-devel jansson-devel libseccomp-devel libarchive-devel bubblewrap gdb binutils patch parallel zip unzip jq libxml2 perl \
+                 gsl-devel jansson-devel libseccomp-devel libarchive-devel bubblewrap gdb binutils patch parallel zip unzip jq libxml2 perl python3 \
                  glfw-devel stb_easy_font-devel mesa-libEGL mesa-dri-drivers xorg-x11-server-Xvfb xdotool pandoc gnuplot
   Arch       sudo pacman -S gcc make pkgconf libpng libyaml cmocka clang openmp xz gsl jansson libseccomp libarchive bubblewrap gdb \
                  binutils patch parallel zip unzip jq libxml2 perl glfw stb mesa xorg-server-xvfb xdotool pandoc-cli gnuplot

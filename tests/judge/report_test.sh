@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Reports: every status, hidden steps, nasty texts, malformed reports; each format by its own checker.
 # Usage: report_test.sh build/report build/tests/print_sample
-# Needs jq, xmllint (Debian: libxml2-utils) and perl's TAP::Parser (Debian: perl).
+# Needs jq, python3, xmllint (Debian: libxml2-utils) and perl's TAP::Parser (Debian: perl).
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
 report=$(realpath "$1")
 print_sample=$(realpath "$2")
 cases="$here/report/test"
-for tool in jq xmllint perl base64; do
+for tool in jq xmllint perl base64 python3; do
     command -v "$tool" >/dev/null || { echo "report_test.sh needs $tool"; exit 1; }
 done
 
@@ -67,8 +67,8 @@ check_forms() {
     ok "$name: gradescope" true_of "$(cat "$cases/gradescope.jq")" "$dir/gradescope/results.json"
     ok "$name: prairielearn" true_of "$(cat "$cases/prairielearn.jq")" "$dir/prairielearn/results.json"
     ok "$name: prairielearn is small enough" [ "$(stat -c %s "$dir/prairielearn/results.json")" -lt 1000000 ]
-    base64 -d "$dir/classroom.txt" >"$dir/classroom.json"
-    ok "$name: classroom" true_of "$(cat "$cases/classroom.jq")" "$dir/classroom.json"
+    (cd "$dir" && CLASSROOM=c ASSIGNMENT=a SUBMISSION_TAG=s COMMIT_URL=u RELEASE_URL=r python3 "$here/../class/ci/classroom50.py" report.json)
+    ok "$name: classroom 50" true_of "$(cat "$cases/classroom50.jq")" "$dir/result.json"
     ok "$name: nothing left behind" no_leftovers "$dir"
 }
 
@@ -110,12 +110,12 @@ ok "gradescope: points of all, hidden too" true_of '([.tests[].score] | add) == 
     "$dir/gradescope/results.json"
 ok "prairielearn: score and points" true_of '.gradable and .score == 0.39 and ([.tests[].points] | add) == 19.5' \
     "$dir/prairielearn/results.json"
-ok "classroom: status and points" true_of \
-    '.status == "error" and .max_score == 50 and ([.tests[].score] | add) == 19.5' "$dir/classroom.json"
+ok "classroom 50: points, hidden ones together" true_of \
+    '.score == 1950 and ."max-score" == 5000 and (.tests[-1] | ."test-name" == "hidden steps" and (.passed | not))' "$dir/result.json"
 
 echo "── hidden steps"
 seen=$(grep -rlE 'secret|scatter_glossy|source text|modified Phong' "$dir" --include=index.html --include=junit.xml \
-    --include=report.tap --include=classroom.json --include=prairielearn)
+    --include=report.tap --include=result.json --include=prairielearn)
 [ -z "$seen" ] && good "no student's file tells of hidden steps" || bad "told in $seen"
 ok "prairielearn neither" not says "$dir/prairielearn/results.json" secret
 written teacher --teacher
@@ -140,7 +140,7 @@ ok "nasty: the words are there, escaped" says "$dir/index.html" "&lt;script&gt;a
 ok "nasty: control characters are shown as pictures" says "$dir/index.html" "␛[31mred␀"
 ok "nasty: no control character in any file" not env LC_ALL=C grep -rqP \
     '[\x00-\x08\x0b-\x1f\x7f]|\xe2\x80[\xa8\xae]|\xc2\x85' "$dir" --include='*.html' --include='*.xml' \
-    --include='*.tap' --include=results.json --include=classroom.json
+    --include='*.tap' --include='result*.json'
 ok "nasty: no test is forged" not grep -qE '9[89]$|^ok 99' "$dir/tap.out"
 ok "nasty: the statuses are the same" cmp "$work/statuses" \
     <(grep -E '^[a-z-]+ [0-9]+ ' "$dir/tap.out" | cut -d' ' -f1)
@@ -189,8 +189,7 @@ prepare uncredited '.credit = false | .sandbox = "none"'
 written "no credit" --notes notes
 ok "no credit: no points for gradescope" true_of '([.tests[].score] | add) == 0' "$dir/gradescope/results.json"
 ok "no credit: not gradable for prairielearn" true_of '.gradable == false' "$dir/prairielearn/results.json"
-ok "no credit: no points for classroom" true_of '([.tests[].score] | add) == 0 and .status == "error"' \
-    "$dir/classroom.json"
+ok "no credit: no points for classroom 50" true_of '.score == 0 and ."max-score" == 5000' "$dir/result.json"
 ok "no credit: the page says so" says "$dir/index.html" "Not for credit"
 
 echo "── reports that are refused"

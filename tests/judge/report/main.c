@@ -11,7 +11,7 @@ static const char help[] =
     "usage: report [--teacher] [--notes PATH] DIR\n"
     "\n"
     "Reads DIR/report.json, which the judge writes, and writes beside it index.html, junit.xml, report.tap,\n"
-    "gradescope/results.json, prairielearn/results.json and classroom.txt.\n"
+    "gradescope/results.json and prairielearn/results.json.\n"
     "\n"
     "  --teacher      show hidden steps, too (in index.html, junit.xml and report.tap)\n"
     "  --notes PATH   where the course notes lie, seen from DIR: chapters become links, PATH/2_glossy_lobe.html#lobe\n";
@@ -23,8 +23,7 @@ static const struct {
              {NULL, "junit.xml", report_junit},
              {NULL, "report.tap", report_tap},
              {"gradescope", "gradescope/results.json", report_gradescope},
-             {"prairielearn", "prairielearn/results.json", report_prairielearn},
-             {NULL, "classroom.txt", report_classroom}};
+             {"prairielearn", "prairielearn/results.json", report_prairielearn}};
 
 // directory/name in memory of the report's.
 static const char *path_in(Report *report, const char *name)

@@ -4,8 +4,7 @@
 //                                            ├─▶ junit.c         junit.xml
 //                                            ├─▶ tap.c           report.tap
 //                                            ├─▶ gradescope.c    gradescope/results.json
-//                                            ├─▶ prairielearn.c  prairielearn/results.json
-//                                            └─▶ classroom.c     classroom.txt
+//                                            └─▶ prairielearn.c  prairielearn/results.json
 //
 // A writer decides nothing: statuses and points are the judge's. What came from a student is text, and harmless from
 // report_file.c on (see text_clean); each writer escapes it once more for its own format. README.md describes report.json.
@@ -98,7 +97,7 @@ const ReportScatter *report_scatter(const Report *report, int stage); // NULL: t
 
 // A writer of one file. False with an error when there is no memory; a full disk shows when the file is closed.
 typedef bool ReportWriter(const Report *report, FILE *stream, Error *error);
-ReportWriter report_html, report_junit, report_tap, report_gradescope, report_prairielearn, report_classroom;
+ReportWriter report_html, report_junit, report_tap, report_gradescope, report_prairielearn;
 
 // ---- words.c
 
