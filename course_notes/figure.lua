@@ -7,6 +7,7 @@
 local here = PANDOC_SCRIPT_FILE:match("^.*/") or ""
 local words = dofile(here .. "words.lua")
 local formula = dofile(here .. "formula.lua")
+local paper = dofile(here .. "paper.lua")
 local escape, raw, tex = words.escape, words.raw, words.tex
 local is_html = FORMAT:match("html") ~= nil
 local figures = os.getenv("NOTES_FIGURES") or "course_notes/figures"
@@ -77,35 +78,6 @@ local function figure_html(block, caption, number)
     }
 end
 
--- ---- LaTeX ----
-
-local function tex_escape(text)
-    local special = { ["\\"] = "\\textbackslash{}", ["~"] = "\\textasciitilde{}", ["^"] = "\\textasciicircum{}",
-                      [" "] = "\\ \\allowbreak{}", ["/"] = "/\\allowbreak{}", ["_"] = "\\_\\allowbreak{}", ["-"] = "{-}",
-                      ["'"] = "\\textquotesingle{}", ["`"] = "\\textasciigrave{}", ['"'] = "\\textquotedbl{}" }
-    return (text:gsub("[\\~^%s/_'`\"-]", special):gsub("[&%%$#]", "\\%0"))
-end
-
-local function command_tex(command)
-    local lines = {}
-    for line in command:gmatch("[^\n]+") do
-        lines[#lines + 1] = tex_escape((line:gsub("[{}]", { ["{"] = "(", ["}"] = ")" })))
-    end
-    return "{\\raggedright\\scriptsize\\ttfamily\\color{gray}" .. table.concat(lines, "\\\\ ") .. "\\par}"
-end
-
-local function figure_tex(block, caption, number)
-    local a = block.attributes
-    local label = block.identifier ~= "" and tex("\\phantomsection\\label{" .. block.identifier .. "}") or tex("")
-    local image = pandoc.Image({}, figures .. "/" .. a.file, "", { width = a.width or a.file:match("png$") and "58%" or "80%" })
-    -- A small one stays where it is; a large one may float to where it leaves no gap.
-    local place = a.width and "[H]" or "[!htbp]"
-    local body = pandoc.List({ tex("\\begin{figure}" .. place .. "\\centering "), label, image, tex("\\caption{Figure " .. number .. ".\\enspace ") })
-    body:extend(caption)
-    body:insert(tex("}" .. command_tex(block.text) .. "\\end{figure}"))
-    return pandoc.Para(body)
-end
-
 -- ---- what is replaced by what ----
 
 local function computed_by(block)
@@ -114,7 +86,7 @@ local function computed_by(block)
         return { raw('<details class="computed"><summary>The numbers here come from <code>' .. escape(file) ..
                      "</code></summary>"), raw('<pre class="command" tabindex="0">' .. escape(command) .. "</pre></details>") }
     end
-    return pandoc.Para({ tex("{\\footnotesize Numbers: "), pandoc.Code(file), tex(", computed by}" .. command_tex(command)) })
+    return pandoc.Para({ tex("{\\footnotesize Numbers: "), pandoc.Code(file), tex(", computed by}" .. paper.command(command)) })
 end
 
 local function CodeBlock(block)
@@ -124,53 +96,29 @@ local function CodeBlock(block)
         return computed_by(block)
     elseif block.classes:includes("figure") then
         local caption = inlines_of(block.attributes.caption or "")
-        return (is_html and figure_html or figure_tex)(block, caption, figure_numbers[block.attributes.file])
+        return (is_html and figure_html or paper.figure)(block, caption, figure_numbers[block.attributes.file])
     elseif is_html then
         block.attributes.tabindex = "0" -- a box that scrolls is reached by keyboard, too
         return block
     end
 end
 
-local function boxed(content, before, after)
-    local blocks = pandoc.List(before)
-    blocks:extend(content)
-    blocks:extend(after)
-    return blocks
-end
-
 local function answer(div)
     if is_html then
-        return boxed(div.content, { raw('<details class="answer"><summary>Answer</summary>') }, { raw("</details>") })
+        return words.boxed(div.content, { raw('<details class="answer"><summary>Answer</summary>') }, { raw("</details>") })
     end
-    return boxed(div.content, { pandoc.RawBlock("latex", "\\begin{quote}\\footnotesize\\emph{Answer.}") },
+    return words.boxed(div.content, { pandoc.RawBlock("latex", "\\begin{quote}\\footnotesize\\emph{Answer.}") },
                  { pandoc.RawBlock("latex", "\\end{quote}") })
 end
 
 local function aside(div, class)
     if is_html then
         local id = div.identifier ~= "" and ' id="' .. escape(div.identifier) .. '"' or ""
-        return boxed(div.content, { raw("<div" .. id .. ' class="aside ' .. class .. '"><p class="label">' .. labels[class] .. "</p>") },
+        return words.boxed(div.content, { raw("<div" .. id .. ' class="aside ' .. class .. '"><p class="label">' .. labels[class] .. "</p>") },
                      { raw("</div>") })
     end
-    return boxed(div.content, { pandoc.RawBlock("latex", "\\room{2cm}\\begin{aside}{" .. labels[class] .. "}") },
+    return words.boxed(div.content, { pandoc.RawBlock("latex", "\\room{2cm}\\begin{aside}{" .. labels[class] .. "}") },
                  { pandoc.RawBlock("latex", "\\end{aside}") })
-end
-
--- The gallery in the PDF: tiles in four columns. (HTML does it by its style.)
-local function gallery(div)
-    return boxed(div.content, { pandoc.RawBlock("latex", "\\begin{multicols}{4}\\raggedcolumns") },
-                 { pandoc.RawBlock("latex", "\\end{multicols}") })
-end
-
-local function tile(div)
-    local label = div.identifier ~= "" and "\\hypertarget{" .. div.identifier .. "}{}" or ""
-    local content = pandoc.walk_block(div, { Image = function(image)
-        image.attributes.width = "100%"
-        return { image, tex("\\newline ") }
-    end, Code = function(code) -- a path may break at its slashes
-        return tex("\\texttt{" .. tex_escape((code.text:gsub("[{}]", ""))) .. "}")
-    end }).content
-    return boxed(content, { pandoc.RawBlock("latex", "\\begin{tile}" .. label) }, { pandoc.RawBlock("latex", "\\end{tile}") })
 end
 
 -- The pages that there are, in their order: students do not have all.
@@ -215,9 +163,9 @@ local function Div(div)
     elseif div.classes:includes("answer") then
         return answer(div)
     elseif not is_html and div.classes:includes("gallery") then
-        return gallery(div)
+        return paper.gallery(div)
     elseif not is_html and div.classes:includes("tile") then
-        return tile(div)
+        return paper.tile(div)
     end
     for class in pairs(labels) do
         if div.classes:includes(class) then
@@ -242,37 +190,6 @@ local function Image(image)
     end
     return image
 end
-
--- In the PDF all chapters are one document: an anchor gets its chapter's name before it, and so do the links to it.
-local one_document = {
-    Header = function(header)
-        header.identifier = header.level == 1 and page or page .. "--" .. header.identifier
-        -- A heading of the gallery stays with its first tiles: where they would not fit, the page ends.
-        local room = page == "gallery" and header.level == 2
-        return room and { pandoc.RawBlock("latex", "\\room{9cm}"), header } or header
-    end,
-    Link = function(link)
-        local name, anchor = link.target:match("^([%w_]*)%.?h?t?m?l?#?(.*)$")
-        if link.target:match("^#") then
-            link.target = "#" .. page .. "--" .. link.target:sub(2)
-        elseif link.target:match("^[%w_]+%.html") then
-            link.target = "#" .. name .. (anchor ~= "" and "--" .. anchor or "")
-        end
-        return link
-    end,
-    CodeBlock = function(block)
-        if block.identifier ~= "" then
-            block.identifier = page .. "--" .. block.identifier
-        end
-        return block
-    end,
-    Div = function(div)
-        if div.identifier ~= "" then
-            div.identifier = page .. "--" .. div.identifier
-        end
-        return div
-    end,
-}
 
 -- Before all else, as a text may name a figure that comes later.
 local function number_figures(doc)
@@ -304,4 +221,4 @@ end
 local first = { Pandoc = number_figures }
 local replace = { CodeBlock = CodeBlock, Div = Div, Image = Image, Link = Link, Table = words.Table, Math = Math, Span = words.Span,
                   Inlines = words.Inlines, Code = words.Code, Str = words.Str }
-return is_html and { first, replace, { Pandoc = set_title } } or { first, one_document, replace }
+return is_html and { first, replace, { Pandoc = set_title } } or { first, paper.one_document, replace }

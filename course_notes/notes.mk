@@ -2,7 +2,7 @@
 
 NOTES_SOURCES = $(filter-out %/index.md $(NOTES_WITHOUT:%=\%/%.md),$(wildcard course_notes/*.md))
 NOTES_PAGES   = $(patsubst course_notes/%.md,$(BUILD)/notes/%.html,$(NOTES_SOURCES) $(wildcard course_notes/index.md))
-NOTES_TOOLS   = $(addprefix course_notes/,make_page.sh template.html style.css figure.lua words.lua formula.lua word_index.lua)
+NOTES_TOOLS   = $(addprefix course_notes/,make_page.sh template.html style.css figure.lua words.lua formula.lua paper.lua word_index.lua)
 NOTES_FIGURES = $(wildcard course_notes/figures/*.*)
 NOTES_HELPERS = $(patsubst course_notes/figures/src/%.c,$(BUILD)/figures/%,$(wildcard course_notes/figures/src/*.c))
 PANDOC       := $(shell command -v pandoc 2>/dev/null)

@@ -15,6 +15,14 @@ function words.tex(text)
     return pandoc.RawInline("latex", text)
 end
 
+-- Blocks with others around them.
+function words.boxed(content, before, after)
+    local blocks = pandoc.List(before)
+    blocks:extend(content)
+    blocks:extend(after)
+    return blocks
+end
+
 local escape, raw, tex = words.escape, words.raw, words.tex
 
 -- About how many letters a formula is wide.

@@ -16,4 +16,4 @@ STEP
 # shellcheck disable=SC2086  # flags are meant to fall apart into words
 ${PHOTONLAB_CC:-cc} ${PHOTONLAB_FLAGS:--std=c99 -O2 -fPIC} -Ilib ${PHOTONLAB_LINK:--shared} "$folder/1.1_reflect.c" \
     -o "$folder/1.1_reflect.so"
-"$BUILD/photonlab" render scenes/box_glass.yaml -o "$1" --code "${folder%/*}" --size 256x256 --samples 16 --quiet
+"$BUILD/photonlab" render scenes/box_glass.yaml -o "$1" --code "${folder%/*}" --size 1024x1024 --samples 16 --quiet

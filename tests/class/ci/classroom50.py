@@ -8,6 +8,7 @@ import datetime
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -24,7 +25,8 @@ def grade(checkout):
         archive.extractall(work)
     lab = next(work.glob("photonlab-*"))
     # Ubuntu forbids what the judge's sandbox is made of, unless this is set.
-    subprocess.run(["sudo", "sysctl", "-q", "-w", "kernel.apparmor_restrict_unprivileged_userns=0"], check=False)
+    if shutil.which("sudo"):
+        subprocess.run(["sudo", "sysctl", "-q", "-w", "kernel.apparmor_restrict_unprivileged_userns=0"], check=False)
     subprocess.run(["make", "setup"], cwd=lab, check=True)
     subprocess.run(["make", "report", f"CODE={checkout / 'exercises'}"], cwd=lab, check=False)  # not 0 where a step is wrong
     return lab / "build" / "report" / "report.json"
