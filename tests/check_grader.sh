@@ -2,8 +2,8 @@
 # Is the grader right? Run from the checkout: check_grader.sh quick|matrix|false-verdicts|write
 #
 #   quick            every known mistake, alternative, stub and solution once, at its own step; with HANDS=b only the second
-#                    patch of each mistake, with EVERY=3 one mistake in three (both: part of `make check`); with ONLY='4.2|4.3_'
-#                    the cases of these names alone
+#                    patch of each mistake, with EVERY=3 one mistake in three and one alternative in three (both: part of
+#                    `make check`); with ONLY='4.2|4.3_' the cases of these names alone
 #   matrix           the same with gcc and clang, -O0 and -O2, two salts, on one core and on two: same verdict, same points
 #   false-verdicts   right solutions over many salts, one round without confirmation: how often is one called wrong?
 #   write            puts what quick, matrix and false-verdicts found last into tests/README.md, and the diagnosis' confusions
@@ -62,7 +62,7 @@ check_diagnosis() {
 quick() {
     local results=$found/quick.txt
     [ "${EVERY:-1}${ONLY:-}" = 1 ] || results=$found/some.txt # no table is written of these
-    grep -E "^([^/]{2,}|[${HANDS:-ab}])/(${ONLY:-})" "$work/list" | awk -v every="${EVERY:-1}" '!/^[ab]\// || known++ % every == 0' |
+    grep -E "^([^/]{2,}|[${HANDS:-ab}])/(${ONLY:-})" "$work/list" | awk -v every="${EVERY:-1}" '!/^([ab]|right)\// || n++ % every == 0' |
         grade_cases | sort >"$results"
     all_are "a|b" fail "known mistakes fail at the step that they name" "$results"
     all_are unknown fail "unknown mistakes fail at their step" "$results"
