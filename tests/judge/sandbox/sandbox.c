@@ -158,10 +158,12 @@ static void watch(pid_t child, int out, const SandboxRun *run, SandboxResult *re
     kill(child, SIGKILL);
     while (wait4(child, &state, 0, &usage) < 0 && errno == EINTR)
         continue;
-    // What was still on its way; a process that fled its group and holds the pipe is not waited for.
-    fcntl(out, F_SETFL, O_NONBLOCK);
-    while (more && !result->flooded && read_some(out, result, &used))
-        continue;
+    // What was still on its way. The pipe ends with the last process that holds it; one that fled is not waited for long.
+    for (deadline = now() + GRACE; more && !result->flooded && now() < deadline;) {
+        struct pollfd wait = {out, POLLIN, 0};
+        if (poll(&wait, 1, 50) > 0)
+            more = read_some(out, result, &used);
+    }
     result->wall_seconds = now() - begin;
     result->cpu_seconds = (double)usage.ru_utime.tv_sec + (double)usage.ru_stime.tv_sec +
                           1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);

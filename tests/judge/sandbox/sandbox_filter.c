@@ -1,6 +1,6 @@
-// Which system calls a student's code may make. The probe computes, prints, and writes to a descriptor that is open
-// already: whatever it has no business with raises SIGSYS, and the probe's handler names the call. Compilers start
-// processes and write files; the calls that they have no business with fail.
+// Which system calls a student's code may make. The probe computes, prints, and writes to a descriptor that is open already:
+// it may make the calls in `probe_may`. Some others raise SIGSYS, and the probe's handler names the call; all others are
+// unknown to it, as on an older kernel. Compilers start processes and write files; the calls that they have no business with fail.
 #define _GNU_SOURCE // memfd_create
 #include "judge/sandbox/sandbox_parts.h"
 
@@ -35,8 +35,20 @@ static const char probe_never[] =
     "rename renameat renameat2 unlink unlinkat rmdir chmod fchmod fchmodat fchmodat2 chown lchown fchown "
     "fchownat truncate utime utimes utimensat setxattr lsetxattr fsetxattr";
 
+// What loader, C library, sanitizers and probe do. Of prctl only what shuts more, not
+// what lets a process outlive the one that started it.
+static const char probe_may[] =
+    "read write readv writev pread64 pwrite64 close lseek _llseek fstat fstat64 stat stat64 lstat lstat64 fstatat64 newfstatat statx "
+    "access faccessat faccessat2 readlink readlinkat getcwd getdents getdents64 fcntl fcntl64 ioctl dup dup2 dup3 poll ppoll "
+    "ppoll_time64 select pselect6 brk mmap2 mprotect munmap mremap madvise msync mincore futex futex_time64 set_robust_list "
+    "get_robust_list set_tid_address rseq membarrier sched_yield sched_getaffinity getcpu gettid getpid getppid getpgrp getuid "
+    "geteuid getgid getegid getresuid getresgid uname sysinfo getrandom getrusage getrlimit ugetrlimit times time gettimeofday "
+    "clock_gettime clock_gettime64 clock_getres clock_nanosleep clock_nanosleep_time64 nanosleep alarm setitimer getitimer pause "
+    "rt_sigaction rt_sigprocmask rt_sigreturn sigreturn rt_sigpending rt_sigsuspend rt_sigtimedwait sigaltstack tgkill "
+    "restart_syscall arch_prctl set_thread_area set_tls cacheflush riscv_flush_icache execve exit exit_group";
+
 // Calls that this machine's kernel does not know have no number and need no rule.
-static bool forbid_all(scmp_filter_ctx filter, uint32_t action, const char *names)
+static bool rule_for_all(scmp_filter_ctx filter, uint32_t action, const char *names)
 {
     while (*names) {
         char name[64];
@@ -50,35 +62,48 @@ static bool forbid_all(scmp_filter_ctx filter, uint32_t action, const char *name
     return true;
 }
 
-static bool forbid_writing(scmp_filter_ctx filter, const char *name, unsigned flags)
+#define READS (O_RDONLY | O_CLOEXEC | O_DIRECTORY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_LARGEFILE)
+
+// Opens with READS alone; any other bit of the flags, and the call raises SIGSYS.
+static bool allow_reading(scmp_filter_ctx filter, const char *name, unsigned flags)
 {
     int number = seccomp_syscall_resolve_name(name);
-    const struct scmp_arg_cmp wants[] = {SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, O_ACCMODE, O_WRONLY),
-                                         SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, O_ACCMODE, O_RDWR),
-                                         SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, O_CREAT, O_CREAT)};
-    for (size_t i = 0; number >= 0 && i < sizeof wants / sizeof *wants; i++)
-        if (seccomp_rule_add_array(filter, SCMP_ACT_TRAP, number, 1, &wants[i]) != 0)
-            return false;
-    return true;
+    const struct scmp_arg_cmp reads = SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, 0xffffffffu & ~(unsigned)READS, 0);
+    bool ok = number < 0 || seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, number, 1, &reads) == 0;
+    for (unsigned bit = 1; ok && number >= 0 && bit != 0; bit <<= 1) {
+        const struct scmp_arg_cmp more = SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, bit, bit);
+        ok = (bit & READS) || seccomp_rule_add_array(filter, SCMP_ACT_TRAP, number, 1, &more) == 0;
+    }
+    return ok;
+}
+
+static bool allow_with(scmp_filter_ctx filter, int number, uint64_t first)
+{
+    const struct scmp_arg_cmp is_first = SCMP_CMP64(0, SCMP_CMP_EQ, first, 0);
+    return seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, number, 1, &is_first) == 0;
 }
 
 static bool fill_for_probe(scmp_filter_ctx filter, long memory_mb)
 {
-    bool ok = forbid_all(filter, SCMP_ACT_TRAP, never) && forbid_all(filter, SCMP_ACT_TRAP, probe_never);
-    ok = ok && forbid_writing(filter, "open", 1) && forbid_writing(filter, "openat", 2);
-    // Its flags are behind a pointer; the C library then takes openat.
-    ok = ok && seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(openat2), 0) == 0;
-    // A request beyond the limit would only fail, and crash the program later, elsewhere.
-    const struct scmp_arg_cmp huge = SCMP_CMP64(1, SCMP_CMP_GE, (uint64_t)memory_mb << 20, 0);
-    if (ok && memory_mb > 0)
-        ok = seccomp_rule_add_array(filter, SCMP_ACT_TRAP, SCMP_SYS(mmap), 1, &huge) == 0;
-    return ok;
+    // A request for memory beyond the limit would only fail, and crash the program later, elsewhere.
+    uint64_t most = memory_mb > 0 ? (uint64_t)memory_mb << 20 : UINT64_MAX;
+    const struct scmp_arg_cmp huge = SCMP_CMP64(1, SCMP_CMP_GE, most, 0), other = SCMP_CMP64(1, SCMP_CMP_LT, most, 0);
+    return allow_with(filter, SCMP_SYS(prctl), PR_SET_NO_NEW_PRIVS) &&
+           allow_with(filter, SCMP_SYS(prctl), PR_SET_SECCOMP) &&
+           allow_with(filter, SCMP_SYS(prlimit64), 0) && // its own
+           rule_for_all(filter, SCMP_ACT_TRAP, never) && rule_for_all(filter, SCMP_ACT_TRAP, probe_never) &&
+           rule_for_all(filter, SCMP_ACT_ALLOW, probe_may) && allow_reading(filter, "open", 1) &&
+           allow_reading(filter, "openat", 2) &&
+           seccomp_rule_add_array(filter, SCMP_ACT_TRAP, SCMP_SYS(mmap), 1, &huge) == 0 &&
+           seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, SCMP_SYS(mmap), 1, &other) == 0;
 }
 
 static bool fill_for_compiler(scmp_filter_ctx filter)
 {
     const struct scmp_arg_cmp new_user = SCMP_CMP64(0, SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER);
-    return forbid_all(filter, SCMP_ACT_ERRNO(EPERM), never) &&
+    const struct scmp_arg_cmp outlive = SCMP_CMP64(0, SCMP_CMP_EQ, PR_SET_PDEATHSIG, 0);
+    return rule_for_all(filter, SCMP_ACT_ERRNO(EPERM), never) &&
+           seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prctl), 1, &outlive) == 0 &&
            seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0) ==
                0 && // the C library then takes clone
            seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1, &new_user) == 0;
@@ -101,7 +126,7 @@ int sandbox_filter(const SandboxRun *run, Error *error)
     int fd = -1;
 #pragma omp critical(sandbox_filter)
     { // the library does not say whether several threads may use it
-        scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+        scmp_filter_ctx filter = seccomp_init(run->compiler ? SCMP_ACT_ALLOW : SCMP_ACT_ERRNO(ENOSYS));
         if (filter)
             fd = export_filter(run, filter);
         if (filter)
