@@ -58,6 +58,8 @@ check_keys() {
     differs "f: frames the screen" key f
     differs "5: the tree" key 5
     differs "up: another depth" key Up
+    differs "6: the disks of passes" key 6
+    differs "up: a pass later" key Up
     differs "1: points" key 1
     differs "space: slow light" key space
     key space
