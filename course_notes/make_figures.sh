@@ -36,7 +36,7 @@ sources() {
             for path in "$word" "$kept/src/$word" "$kept/$word" "$kept/src/${word#@/figures/}.c"; do
                 [ -f "$path" ] && [ "$path" != "$kept/$file" ] || continue
                 case $seen in *" $path "*) continue ;; esac
-                case $path in course_notes/figures/* | scenes/* | tests/mistakes/*) ;; *) continue ;; esac
+                case $path in course_notes/figures/* | scenes/* | tests/mistakes/* | tests/judge/points.txt | lib/steps/steps.def) ;; *) continue ;; esac
                 seen="$seen$path "
                 case $path in *.sh | *.gp | *.awk | *.c | *.h) next="$next
 $(cat "$path")" ;; esac

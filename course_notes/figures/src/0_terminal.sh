@@ -1,6 +1,6 @@
 #!/bin/sh
 # What the terminal shows in chapter 0, by running it: 0_terminal.sh CASE OUT. The code is the chapter's own, in a folder
-# that is called exercises/ in what is written.
+# that is called exercises/ in what is written. Points and lists follow tests/judge/points.txt and lib/steps/steps.def : made anew with them.
 set -eu
 root=$BUILD/figures/0_terminal
 code=$root/exercises
