@@ -59,6 +59,14 @@ echo 'Vec3 reflect(Vec3 direction, Vec3 normal) { return direction normal; }' >"
 judged 1 "it does not compile" --stage 1
 ok "the compiler's own line" grep "1.1_reflect.c:1:.*error" "$work/out"
 ok "step 1.2 passes beside it" said "✓ 1.2"
+# Of a million errors, the first is shown.
+{ echo '_Static_assert(1 == 2, "the first");' && echo '#define A _Static_assert(0, "others");' &&
+    for to in B C D E F G; do from=$(echo $to | tr B-G A-F); echo "#define $to $from $from $from $from $from $from $from $from $from $from"; done && echo G; } >"$stage1/1.1_reflect.c"
+judged 1 "the first" --step 1.1
+mkdir "$work/my code/deep" && mkfifo "$work/my code/deep/pipe.h"
+echo '#include "../deep/pipe.h"' >"$stage1/1.1_reflect.c"
+expect 2 "deep/pipe.h: is neither file nor folder" timeout 10 "${judge[@]}" --step 1.1
+rm -r "$work/my code/deep"
 printf '#include "photonlab.h"\nVec3 reflect(Vec3 direction, Vec3 normal) { (void)normal; (void)direction; }\n' >"$stage1/1.1_reflect.c"
 judged 1 "non-void function" --step 1.1
 printf '#include "photonlab.h"\nfloat two = 2;\nVec3 reflect(Vec3 d, Vec3 n) { return vec3_along(d, n, -two * vec3_dot(d, n)); }\n' >"$stage1/1.1_reflect.c"

@@ -128,7 +128,7 @@ static bool run_it(const GradeOptions *options, const ProbeJob *job, int fd, San
     SandboxRun run = {.arguments = arguments,
                       .result_fd = fd,
                       .cpu_seconds = job->cpu_seconds * options->speed,
-                      .wall_seconds = 6.0 * job->cpu_seconds * options->speed,
+                      .wall_seconds = 3.0 * job->cpu_seconds * options->speed,
                       .memory_mb = options->memory_limit ? MEMORY_MB : 0,
                       .file_mb = RESULT_MB};
     memcpy(run.hidden, options->hidden, sizeof run.hidden);

@@ -110,10 +110,14 @@ static pid_t start(SandboxKind kind, const SandboxRun *run, const Launch *launch
     return -1;
 }
 
-// Keeps the end of what is printed.
+// Keeps the end of what is printed; of what a compiler says, the beginning.
 static void keep(SandboxResult *result, size_t *used, const char *bytes, size_t count)
 {
     size_t most = sizeof result->text - 1;
+    result->printed += count;
+    result->flooded = result->printed > SANDBOX_MOST_PRINTED;
+    if (result->keeps_beginning && count > most - *used)
+        count = most - *used;
     size_t surplus = *used + count > most ? *used + count - most : 0;
     if (surplus > 0) {
         surplus = surplus < *used ? surplus : *used;
@@ -123,8 +127,6 @@ static void keep(SandboxResult *result, size_t *used, const char *bytes, size_t 
     memcpy(result->text + *used, bytes, count); // at most a chunk, which is smaller than that
     *used += count;
     result->text[*used] = '\0';
-    result->printed += count;
-    result->flooded = result->printed > SANDBOX_MOST_PRINTED;
 }
 
 // True while there may be more to come.
@@ -185,6 +187,7 @@ bool sandbox_run(SandboxKind kind, const SandboxRun *run, SandboxResult *result,
 {
     memset(result, 0, sizeof *result);
     result->exit_code = -1;
+    result->keeps_beginning = run->compiler;
     result->cpu_limit = run->cpu_seconds;
     result->wall_limit = run->wall_seconds;
     result->memory_mb = run->memory_mb;

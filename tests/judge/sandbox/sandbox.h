@@ -45,8 +45,9 @@ typedef struct {
     double cpu_seconds, wall_seconds;
     double cpu_limit, wall_limit; // as they were asked for
     long memory_mb;
-    char text[32768]; // what it printed (both streams), the end of it when it was more
-    size_t printed;   // bytes in all
+    char text[32768];     // what it printed (both streams); when it was more, the end of it …
+    bool keeps_beginning; // … or, of a compiler, the beginning
+    size_t printed;       // bytes in all
 } SandboxResult;
 
 // False only when it could not be started at all.

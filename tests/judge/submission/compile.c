@@ -55,8 +55,8 @@ static bool run_tool(const GradeOptions *options, const Paths *p, const char *co
                       .writable = p->directory,
                       .result_fd = -1,
                       .compiler = true,
-                      .cpu_seconds = 30.0 * options->speed,
-                      .wall_seconds = 120.0 * options->speed,
+                      .cpu_seconds = 10.0 * options->speed,
+                      .wall_seconds = 20.0 * options->speed,
                       .memory_mb = 1024,
                       .file_mb = 64};
     memcpy(run.hidden, options->hidden, sizeof run.hidden);
@@ -73,7 +73,7 @@ static Status compile(const GradeOptions *options, const Paths *p, StepWords *to
     snprintf(link_flags, sizeof link_flags, "%s", options->link_flags);
     snprintf(include, sizeof include, "-I%s", p->include);
     int count = split_words(flags, words, 1);
-    const char *const compile_words[] = {include, "-c", p->source, "-o", p->object, NULL};
+    const char *const compile_words[] = {include, "-fmax-errors=20", "-c", p->source, "-o", p->object, NULL};
     memcpy(words + count, compile_words, sizeof compile_words);
     if (!run_tool(options, p, words, &ran, &error))
         return words_say(told, STATUS_SKIP, "the compiler could not be run: %s", error.message);

@@ -6,10 +6,12 @@
 #include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
+#include <ftw.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 // Is this a step's source, as a path from the submission's folder?
 static bool is_step_file(const char *path)
@@ -41,22 +43,19 @@ static void say_misplaced(const char *code, const char *path)
     }
 }
 
-static void look_into(const char *code, const char *folder)
+static const char *looked_into; // the folder, for look_at alone
+static Error *look_error;
+
+// Compilers would wait for ever to read from a pipe.
+static int look_at(const char *path, const struct stat *status, int kind, struct FTW *place)
 {
-    char path[4096];
-    snprintf(path, sizeof path, "%s%s%s", code, *folder ? "/" : "", folder);
-    DIR *directory = opendir(path);
-    if (!directory)
-        return;
-    for (struct dirent *entry; (entry = readdir(directory));) {
-        snprintf(path, sizeof path, "%s%s%s", folder, *folder ? "/" : "", entry->d_name);
-        if (entry->d_name[0] == '.')
-            continue;
-        if (!*folder)
-            look_into(code, entry->d_name);
-        say_misplaced(code, path);
-    }
-    closedir(directory);
+    const char *name = path + strlen(looked_into);
+    name += strspn(name, "/");
+    if (kind == FTW_F && !S_ISREG(status->st_mode))
+        return !error_set(look_error, "%s: is neither file nor folder; expected one laid out like exercises/", path);
+    if (place->level <= 2 && name[0] != '.' && !strstr(name, "/."))
+        say_misplaced(looked_into, name);
+    return 0;
 }
 
 Status words_say(StepWords *words, Status status, const char *format, ...)
@@ -74,8 +73,9 @@ bool submission_look_over(const char *code, Error *error)
     if (!directory)
         return error_set(error, "%s: %s; expected a folder laid out like exercises/", code, strerror(errno));
     closedir(directory);
-    look_into(code, "");
-    return true;
+    looked_into = code;
+    look_error = error;
+    return nftw(code, look_at, 16, FTW_PHYS) == 0 || error_set(error, "%s: cannot be looked through", code);
 }
 
 // The same but for white space?

@@ -19,7 +19,7 @@ typedef struct {
     SandboxKind sandbox;
     char *hidden[MOST_HIDDEN]; // absolute paths that a student's code must not read, NULL last
     bool memory_limit;         // false under AddressSanitizer
-    double cpu_seconds;        // a step's cases may take; wall clock: six times as long
+    double cpu_seconds;        // a step's cases may take; wall clock: three times as long
     double speed;              // this machine's time for a fixed task ÷ the usual; time limits grow with it
     bool compile_only;         // not one check: for measuring the scatters
     bool first_round_only;     // no confirmation: for measuring the level
@@ -36,7 +36,7 @@ typedef struct {
 // Sets the message and returns the status, as in `return words_say(words, STATUS_ERROR, …)`.
 Status words_say(StepWords *words, Status status, const char *format, ...) PRINTF_LIKE(3, 4);
 
-// False, with a reason, when there is no such folder. Files that look like steps but lie or are called otherwise than
+// False, with a reason, when there is no such folder, or something in it is neither file nor folder. Files that look like steps but lie or are called otherwise than
 // one are named on standard error: they would count as not started without a word.
 bool submission_look_over(const char *code, Error *error);
 
