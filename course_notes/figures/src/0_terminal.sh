@@ -19,7 +19,7 @@ case $1 in
     right | all | submit) reflect "$depth" '    return vec3_along(direction, normal, -2.0f * depth);' ;;
     broken) reflect "$depth" '    return vec3_along(direction, normal, -depth)' ;;
     crash) reflect '    const Vec3 *nowhere = NULL;' '    return vec3_along(*nowhere, normal, direction.x);' ;;
-    endless) reflect '    while (vec3_dot(direction, normal) < 2.0f)' '        direction = vec3_negate(direction);' '    return direction;' ;;
+    endless) reflect '    while (vec3_dot(direction, normal) < 2.0f) direction = vec3_negate(direction);' '    return direction;' ;;
 esac
 
 make() {
