@@ -75,7 +75,9 @@ elif grep -q "a step was called that is not there" "$work/err"; then
 else
     bad "absent step: $(cat "$work/err")"
 fi
-for case in "paths scenes/box_glass.yaml 100 2 9 3.4 1" "picture photons-only scenes/box_glass.yaml 8 8 500 20 9 2.3,1.5 1"; do
+for case in "paths scenes/box_glass.yaml 100 2 9 3.4 1" "picture photons-only scenes/box_glass.yaml 8 8 500 20 9 2.3,1.5 1" \
+    "passes 3 pass photons-only scenes/box_glass.yaml 8 8 500 20 9 2.3,1.5 1" \
+    "passes 3 pixel photons scenes/box_glass.yaml 8 8 500 20 9 2.4,3.4 1"; do
     numbers=$(probe 1.1 "$solutions" "$case" | wc -w)
     check "$numbers > 100" "probe 1.1 $case"
 done

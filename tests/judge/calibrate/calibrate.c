@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char help[] = "usage: calibrate [flags] [SET …]      sets: 1 2_source 2_phong 3 4; none: all\n"
+static const char help[] = "usage: calibrate [flags] [SET …]      sets: 1 2_source 2_phong 3 4 5_pass 5_pixel; none: all\n"
                            "\n"
                            "  --build DIR       where photonlab and solutions/ are (build)\n"
                            "  --renders N       pictures for means and spreads (2000)\n"

@@ -36,8 +36,9 @@ void *must(void *memory);
 size_t plan_call(Plan *plan, long count, const double *arguments, size_t argument_count);
 size_t plan_call_in(Plan *plan, const char *scene, long count, const double *arguments, size_t argument_count);
 size_t plan_paths(Plan *plan, const char *scene, long photons, long batches, int depth, const char *steps);
-size_t plan_picture(Plan *plan, const char *integrator, const char *scene, int side, long photons, int k, int depth,
-                    const char *steps);
+// `kind`: picture, or passes with what the probe reads behind it.
+size_t plan_picture(Plan *plan, const char *kind, const char *integrator, const char *scene, int side, long photons,
+                    int k, int depth, const char *steps);
 
 // Inputs that nobody can know before: a float of [low, high] by the plan's seed, the same for the same use; and one whose
 // logarithm is spread evenly.

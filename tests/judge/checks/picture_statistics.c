@@ -119,12 +119,15 @@ static uint64_t scene_hash(const PictureSet *set, const char *root)
 // What the pictures were made of, as the file's first lines have it: a reference made of other things is of no use.
 static void describe(const PictureSet *set, const char *root, char *text, size_t size)
 {
+    char kind[40] = ""; // left out of the others' files
+    if (strcmp(set->kind, "picture") != 0)
+        snprintf(kind, sizeof kind, "kind %s\n", set->kind);
     snprintf(
         text, size,
-        "photonlab picture reference 1\nintegrator %s\nscene %s\nscene_hash %016llx\npixels %d x %d\nphotons %ld\nk %d\ndepth %d\n"
+        "photonlab picture reference 1\n%sintegrator %s\nscene %s\nscene_hash %016llx\npixels %d x %d\nphotons %ld\nk %d\ndepth %d\n"
         "steps %s\nreplicates %d\n",
-        set->integrator, set->scene, (unsigned long long)scene_hash(set, root), set->side, set->side, set->photons,
-        set->k, set->depth, set->steps, set->replicates);
+        kind, set->integrator, set->scene, (unsigned long long)scene_hash(set, root), set->side, set->side,
+        set->photons, set->k, set->depth, set->steps, set->replicates);
 }
 
 bool picture_reference_write(const PictureSet *set, const char *path, const char *head,

@@ -15,7 +15,8 @@ const PictureSet picture_sets[PICTURE_SETS] = {
 void picture_set_plan(const PictureSet *set, Plan *plan)
 {
     for (int i = 0; i < set->replicates; i++)
-        plan_picture(plan, set->integrator, set->scene, set->side, set->photons, set->k, set->depth, set->steps);
+        plan_picture(plan, set->kind, set->integrator, set->scene, set->side, set->photons, set->k, set->depth,
+                     set->steps);
 }
 
 // ---- what right code never gives ----

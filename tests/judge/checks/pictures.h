@@ -17,6 +17,7 @@
 
 typedef struct {
     const char *name; // of its files in tests/reference/pictures/
+    const char *kind; // as the probe's cases have it: "picture"; or by passes, "passes 7 pixel"
     const char *integrator;
     const char *scene; // from the checkout's root
     int side;          // pixels, a multiple of 8

@@ -58,12 +58,12 @@ size_t plan_paths(Plan *plan, const char *scene, long photons, long batches, int
     return plan_line(plan, line);
 }
 
-size_t plan_picture(Plan *plan, const char *integrator, const char *scene, int side, long photons, int k, int depth,
-                    const char *steps_text)
+size_t plan_picture(Plan *plan, const char *kind, const char *integrator, const char *scene, int side, long photons,
+                    int k, int depth, const char *steps_text)
 {
-    size_t size = strlen(integrator) + strlen(scene) + strlen(steps_text) + 128;
+    size_t size = strlen(kind) + strlen(integrator) + strlen(scene) + strlen(steps_text) + 128;
     char *line = must(malloc(size));
-    snprintf(line, size, "picture %s %s %d %d %ld %d %d %s %llu", integrator, scene, side, side, photons, k, depth,
+    snprintf(line, size, "%s %s %s %d %d %ld %d %d %s %llu", kind, integrator, scene, side, side, photons, k, depth,
              steps_text, (unsigned long long)next_seed(plan));
     return plan_line(plan, line);
 }

@@ -14,7 +14,8 @@
     extern const int symbol##_check_count;
 #include "steps/steps.def"
 
-// A step's picture (pictures.h). V counts for step 1.6 alone, to which the reference gives the photons.
+// A step's picture (pictures.h). V counts for steps 1.6, 5.1 and 5.2, to which the reference gives the
+// photons: nothing that is theirs to choose makes other noise.
 #define PICTURE_SET(set, ...)                                                                                          \
     extern const char picture_title_##set[];                                                                           \
     void plan_picture_##set(Plan *plan);                                                                               \

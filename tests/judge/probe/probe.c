@@ -56,9 +56,12 @@ static bool run_case(const StepInfo *step, char *text, ProbeOutput *output, Erro
         return probe_paths(&line, output, error);
     if (strcmp(kind, "picture") == 0)
         return probe_picture(&line, output, error);
+    if (strcmp(kind, "passes") == 0)
+        return probe_passes(&line, output, error);
     if (strcmp(kind, "scatter") == 0)
         return probe_scatter(&line, output, error);
-    return error_set(error, "no kind of case `%s`; expected %spaths, picture or scatter", kind, step ? "call, " : "");
+    return error_set(error, "no kind of case `%s`; expected %spaths, picture, passes or scatter", kind,
+                     step ? "call, " : "");
 }
 
 static bool write_case(int fd, int number, const ProbeOutput *output)

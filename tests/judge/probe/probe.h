@@ -5,6 +5,7 @@
 //   call COUNT SEED ARGUMENT…      the step COUNT times, call i with the random stream (SEED, i); what its row in lib/steps/steps.def lists
 //   paths SCENE PHOTONS BATCHES DEPTH STEPS SEED             photon passes in BATCHES parts; see probe_paths.c
 //   picture INTEGRATOR SCENE WIDTH HEIGHT PHOTONS K DEPTH STEPS SEED    one picture, one eye ray a pixel
+//   passes COUNT pass|pixel INTEGRATOR …                    the same by passes, with a radius for each of them or for each pixel
 //   scatter SCENE PHOTONS ROOM DEPTH STEPS SEED              the photons of one pass, at most ROOM; see probe_scatter.h
 // SCENE is a path from --root, STEPS what `--steps` takes. The numbers are written as they come off this machine, case by case:
 //   "photonlab probe 1\n", then for every case two uint32 (its number from 0, how many floats) and the floats.
@@ -46,6 +47,7 @@ Scene *probe_scene(const char *path, Error *error); // from --root
 bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error);
+bool probe_passes(ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error);
 
 // Whose result hangs on more than what it was given has random numbers of its own, or reads what it never set.

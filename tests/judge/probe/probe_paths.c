@@ -1,8 +1,9 @@
-// `paths` and `picture` cases: a step at work in a scene, among the reference's others.
+// `paths`, `picture` and `passes` cases: a step at work in a scene, among the reference's others.
 #include "judge/probe/probe.h"
 #include "judge/probe/probe_batch.h"
 
 #include "photons/pass/photon_pass.h"
+#include "render/passes/passes.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -15,6 +16,8 @@ typedef struct {
     long width, height, photons, batches, k, depth;
     StepChoice play;
     uint64_t seed;
+    long passes; // 0: a picture by itself
+    bool by_pixel;
 } SceneCase;
 
 static bool read_common(ProbeLine *line, SceneCase *c, Error *error)
@@ -132,37 +135,61 @@ bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error)
     return ok;
 }
 
-bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error)
+static bool draw_by_passes(const SceneCase *c, const RenderOptions *options, Image *image, RenderStats *stats,
+                           Error *error)
 {
-    SceneCase c = {0};
+    Passes passes = {.alpha = PASS_ALPHA, .last = (int)c->passes, .by_pixel = c->by_pixel};
+    bool ok = passes_run(c->scene, options, &passes, stats, error) && passes_picture(&passes, image, error);
+    passes_free(&passes);
+    return ok;
+}
+
+static bool draw(SceneCase *c, ProbeLine *line, ProbeOutput *output, Error *error)
+{
     Integrator integrator;
     if (!integrator_parse(probe_word(line), &integrator))
-        return error_set(error, "expected an integrator behind `picture`");
+        return error_set(error, "expected an integrator");
     const char *path = probe_word(line);
-    c.width = probe_whole(line, 1, 1024);
-    c.height = probe_whole(line, 1, 1024);
-    c.photons = probe_whole(line, 1, 10000000);
-    c.k = probe_whole(line, 1, 10000);
-    if (!read_common(line, &c, error) || !(c.scene = probe_scene(path, error)))
+    c->width = probe_whole(line, 1, 1024);
+    c->height = probe_whole(line, 1, 1024);
+    c->photons = probe_whole(line, 1, 10000000);
+    c->k = probe_whole(line, 1, 10000);
+    if (!read_common(line, c, error) || !(c->scene = probe_scene(path, error)))
         return false;
     RenderOptions options = {.integrator = integrator,
-                             .settings = c.scene->settings,
-                             .seed = c.seed,
+                             .settings = c->scene->settings,
+                             .seed = c->seed,
                              .threads = 1,
-                             .play = c.play,
+                             .play = c->play,
                              .glass_sides = 2};
-    options.settings.width = (int)c.width;
-    options.settings.height = (int)c.height;
+    options.settings.width = (int)c->width;
+    options.settings.height = (int)c->height;
     options.settings.samples = 1;
-    options.settings.photons = c.photons;
-    options.settings.k = (int)c.k;
-    options.settings.depth = (int)c.depth;
+    options.settings.photons = c->photons;
+    options.settings.k = (int)c->k;
+    options.settings.depth = (int)c->depth;
     Image image = {0, 0, NULL};
     RenderStats stats;
-    bool ok = render_image(c.scene, &options, &image, &stats, error);
-    for (long i = 0; ok && i < c.width * c.height; i++)
+    bool ok = c->passes > 0 ? draw_by_passes(c, &options, &image, &stats, error)
+                            : render_image(c->scene, &options, &image, &stats, error);
+    for (long i = 0; ok && i < c->width * c->height; i++)
         probe_put_colour(output, image.pixels[i]);
     image_free(&image);
-    scene_free(c.scene);
+    scene_free(c->scene);
     return ok;
+}
+
+bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error)
+{
+    return draw(&(SceneCase){0}, line, output, error);
+}
+
+bool probe_passes(ProbeLine *line, ProbeOutput *output, Error *error)
+{
+    SceneCase c = {.passes = probe_whole(line, 1, 1000)};
+    const char *radii = probe_word(line);
+    c.by_pixel = strcmp(radii, "pixel") == 0;
+    if (!c.by_pixel && strcmp(radii, "pass") != 0)
+        return error_set(error, "expected `pass` or `pixel` behind the number of passes");
+    return draw(&c, line, output, error);
 }

@@ -51,7 +51,8 @@ static inline size_t probe_case_size(const char *id, const char *line)
         return (size_t)first * BATCH_NUMBERS;
     if (sscanf(line, "scatter %*s %*d %ld", &first) == 1)
         return SCATTER_HEAD + (size_t)first * SCATTER_NUMBERS;
-    if (sscanf(line, "picture %*s %*s %ld %ld", &first, &second) == 2)
+    if (sscanf(line, "picture %*s %*s %ld %ld", &first, &second) == 2 ||
+        sscanf(line, "passes %*d %*s %*s %*s %ld %ld", &first, &second) == 2)
         return (size_t)first * (size_t)second * 3;
     return 0;
 }

@@ -72,4 +72,5 @@ static void judge_mean(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(join_means, {"mean", "The mean over all passes", CHECK_VALUES, plan_mean, judge_mean, false})
+DEFINE_CHECKS(join_means, {"mean", "The mean over all passes", CHECK_VALUES, plan_mean, judge_mean, false},
+              PICTURE_AND_V(5_pass))

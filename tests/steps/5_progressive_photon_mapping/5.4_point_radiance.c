@@ -58,4 +58,5 @@ static void judge_radiance(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(point_radiance,
-              {"radiance", "Radiance by the statistics", CHECK_VALUES, plan_radiance, judge_radiance, false})
+              {"radiance", "Radiance by the statistics", CHECK_VALUES, plan_radiance, judge_radiance, false},
+              PICTURE(5_pixel))
