@@ -32,6 +32,7 @@ scenes_of() {
     4.2) echo picture_4 box_glass box_diffuse ;;
     4.[13]) echo picture_4 box_diffuse ;;
     4.*) echo picture_4 box_glossy ;;
+    5.*) echo picture_5 ;;
     *) echo box_glass box_dispersion ;;
     esac
 }
@@ -45,9 +46,10 @@ steps_of() {
     esac
 }
 
-# What a right picture is called: that of 2.3 is another than that of 2.4, and stage 4 gathers; all else gives the same.
+# What a right picture is called: that of 2.3 is another than that of 2.4, stage 4 gathers, stage 5 has passes; all else gives the
+# same.
 right_of() {
-    case $1 in 2.3) echo "$2_2.3" ;; 4.*) echo "$2_gathered" ;; *) echo "$2" ;; esac
+    case $1 in 2.3) echo "$2_2.3" ;; 4.*) echo "$2_gathered" ;; 5.[12]) echo "$2_by_pass" ;; 5.*) echo "$2_by_pixel" ;; *) echo "$2" ;; esac
 }
 
 # render SCENE STEP fine|coarse SEED OUT [CODE]
@@ -70,6 +72,8 @@ render() {
     case $2:$3 in
     4.*:coarse) integrator=gather size=32x32 samples=16 light="--photons 60000 --k 60" ;;
     4.*) integrator=gather light="--photons 60000 --k 60" ;;
+    5.[12]:*) samples=2 light="--photons 10000 --passes 11 --radii pass" ;;
+    5.*) integrator=photons samples=2 light="--photons 10000 --passes 11 --radii pixel" ;;
     esac
     # shellcheck disable=SC2086 # flags are words
     "$BUILD/photonlab" render "$file" --integrator $integrator --steps "$(steps_of "$2")" --size $size --samples $samples \
