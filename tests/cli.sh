@@ -153,6 +153,8 @@ for radii in pass pixel; do
 done
 expect 1 "it was made by --radii pixel, not pass" "$program" render $passes --resume "$work/three.part" -o "$work/m.pfm"
 expect 0 "" "$program" render $passes --radii pixel -o "$work/pixel.pfm"
+expect 0 "" "$program" render $scene $quick --quiet --seconds 0.1 -o "$work/seconds.part"
+expect 0 "" "$program" merge "$work/seconds.part" -o "$work/m.pfm"
 same_file() { ok "$3" cmp "$work/$1" "$work/$2"; }
 same_file whole.pfm merged.pfm "four parts give the picture of one run"
 same_file whole.pfm again.pfm "a file of all passes gives it, too"

@@ -16,7 +16,7 @@ $(BUILD)/obj/tests/unit/%.o: OPTIMISE = -O1
 
 .PHONY: check-build check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-exercises \
         check-preview check-judge check-reports check-attacks check-sandbox check-scatter check-pictures check-arm check-same check-rooms check-extend \
-        reference agreement calibrate exercises bench bench-test bench-preview fuzz size format
+        reference reference-progressive agreement calibrate exercises bench bench-test bench-preview fuzz size format
 
 # Before all others, which then build nothing twice.
 check-build: judge class-tools meshes
@@ -98,6 +98,10 @@ check-sandbox: $(BUILD)/tests/test_sandbox
 ##check first reference  both integrators against an independent renderer's images
 reference: all
 	@bash tests/reference/compare.sh $(PROGRAM)
+
+##check long reference-progressive  the error of passes: how it falls; a table for a figure, build/progressive.txt (ten minutes)
+reference-progressive: all meshes
+	@bash tests/reference/progressive.sh $(PROGRAM) $(BUILD)/progressive.txt
 
 ##check first agreement  photons against the path tracer (SCENES=few: as make check does)
 agreement: all meshes

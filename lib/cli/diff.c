@@ -11,7 +11,7 @@ static const char help[] =
     "  -o FILE              also draw image − reference: red brighter, blue darker, white the same\n"
     "  --scale S            the difference that gets full colour; 0 chooses (default)\n"
     "  --mask X0,Y0,X1,Y1   leave out columns X0 ≤ x < X1, rows Y0 ≤ y < Y1 (a visible light, say)\n"
-    "  --blocks N           compare means over N×N pixels: blotches, not grain\n"
+    "  --blocks N           compare means over N×N pixels: blotches, not grain; a picture N times smaller has them for pixels\n"
     "  --json               one line of JSON instead\n";
 
 typedef struct {
@@ -67,20 +67,32 @@ static void print_table(const ImageDifference *d)
 }
 
 // The picture in blocks takes its place.
-static bool shrink(Image *image, const Arguments *a, Error *error)
+static bool shrink(Image *image, int side, ImageMask mask, Error *error)
 {
     Image blocks = {0, 0, NULL};
-    bool ok = image_blocks(image, a->blocks, a->mask, &blocks, error);
+    bool ok = image_blocks(image, side, mask, &blocks, error);
     image_free(image);
     *image = blocks;
     return ok;
+}
+
+// A picture that is as large as the reference in blocks has them for pixels.
+static bool shrink_both(const Arguments *a, Image *image, Image *reference, Error *error)
+{
+    int side = a->blocks;
+    ImageMask mask = a->mask;
+    if (image->width * side == reference->width && image->height * side == reference->height) {
+        mask = (ImageMask){mask.x0 / side, mask.y0 / side, mask.x1 / side, mask.y1 / side};
+        side = 1;
+    }
+    return shrink(image, side, mask, error) && shrink(reference, a->blocks, a->mask, error);
 }
 
 static bool compare(const Arguments *a, Image *image, Image *reference, Image *picture, Error *error)
 {
     ImageDifference difference;
     if (!image_read(image, a->files[0], error) || !image_read(reference, a->files[1], error) ||
-        (a->blocks && (!shrink(image, a, error) || !shrink(reference, a, error))) ||
+        (a->blocks && !shrink_both(a, image, reference, error)) ||
         !image_difference(image, reference, a->blocks ? (ImageMask){0, 0, 0, 0} : a->mask, &difference, error))
         return false;
     if (a->out &&

@@ -207,6 +207,8 @@ static bool finish(Talk *talk, bool stopped, Error *error)
 {
     const Passes *passes = talk->passes;
     Image image = {0, 0, NULL};
+    if (talk->flags->seconds > 0.0f && !stopped) // these are all
+        talk->origin.all = passes->done;
     bool ok = passes_picture(passes, &image, error) && write_out(talk, &image);
     image_free(&image);
     if (ok && talk->measured != passes->done)

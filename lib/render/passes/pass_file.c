@@ -113,7 +113,8 @@ static bool take_numbers(Reader *reader, PassOrigin *origin, Passes *passes, int
     if (sscanf(line, "part %d/%d of %d passes: %d done, %dx%d, %d eye rays a pixel, radii by %7[a-z], runs of%n",
                &origin->part, &origin->parts, &origin->all, &passes->done, &size[0], &size[1], &passes->samples, radii,
                &length) != 8 ||
-        length == 0 || passes->samples < 1 || origin->all < 1 || origin->all > MOST_PASSES || origin->parts < 1 ||
+        length == 0 || passes->samples < 1 || size[0] < 1 || size[0] > IMAGE_MAX_SIDE || size[1] < 1 ||
+        size[1] > IMAGE_MAX_SIDE || origin->all < 1 || origin->all > MOST_PASSES || origin->parts < 1 ||
         origin->parts > origin->all || origin->part < 1 || origin->part > origin->parts)
         return damaged(reader, "its numbers cannot be");
     pass_origin_range(origin, &passes->first, &passes->last);
@@ -131,12 +132,12 @@ static bool take_numbers(Reader *reader, PassOrigin *origin, Passes *passes, int
 
 static bool take_floats(Reader *reader, Passes *passes, const int size[2])
 {
-    for (int i = 0; i < passes->sums.count; i++)
-        if (!image_create(&passes->sums.runs[i].mean, size[0], size[1], reader->error))
-            return false;
     size_t pixels = (size_t)size[0] * (size_t)size[1];
     if ((size_t)(reader->end - reader->at) != 4 * floats_of(passes, pixels))
         return damaged(reader, "is cut off, or longer than it says");
+    for (int i = 0; i < passes->sums.count; i++)
+        if (!image_create(&passes->sums.runs[i].mean, size[0], size[1], reader->error))
+            return false;
     passes->radius = take_float(reader);
     for (int i = 0; i < passes->sums.count; i++)
         for (size_t p = 0; p < pixels; p++)
