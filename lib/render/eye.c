@@ -42,7 +42,7 @@ static Colour matt_from_map(Eye *eye, const PhotonMap *map, RadianceCache *cache
     return radiance;
 }
 
-// Caustics are sharp and their photons dense: fewer of them make an estimate.
+// Caustics are sharp and their photons dense: fewer of them make an estimate. GATHER has more of them.
 Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo)
 {
     if (photon_map_count(eye->caustic) == 0)
@@ -51,7 +51,7 @@ Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo)
     float radius = eye->gather.radius;
     if (eye->options->pass)
         eye->gather.radius *= CAUSTIC_REACH;
-    else
+    else if (eye->options->integrator != INTEGRATOR_GATHER)
         eye->gather.k = k / CAUSTIC_SHARE > CAUSTIC_LEAST ? k / CAUSTIC_SHARE : k < CAUSTIC_LEAST ? k : CAUSTIC_LEAST;
     Colour radiance = !material_kind(hit->material)->lobe
                           ? matt_from_map(eye, eye->caustic, &eye->caustic_cache, hit, hit->material, wo)

@@ -12,7 +12,7 @@
 
 #define GATHER_ACCURACY 0.25f // a of the cache
 #define SHORTEST        1.5f  // pixels in which an estimate serves at least
-#define LONGEST         20.0f // times that, at most
+#define LONGEST         6.0f  // times that, at most
 #define LIFT            1e-3f // pixels
 
 struct FinalGather {
@@ -27,6 +27,9 @@ struct GatherTrace {
     float distance; // of the last ray, to its first surface
     int met;        // surfaces, by the present ray
     bool is_second; // sent by a gather ray that was short
+    bool is_sent;   // by gather_send, which makes of a colour's share the whole
+    int channel;    // the one that is left after dispersing glass; −1: all
+    Material glass; // the last that disperses, as this channel meets it
 };
 
 extern const Material gather_white;

@@ -5,11 +5,31 @@
 
 const Material gather_white = {.name = "white", .type = MATERIAL_DIFFUSE, .diffuse = {1.0f, 1.0f, 1.0f}};
 
+// One channel of three stands for all.
 Colour gather_send(GatherTrace *trace, Ray ray, Rng *rng)
 {
     trace->met = 0;
     trace->distance = INFINITY;
-    return steps.gather_radiance(trace, ray, rng);
+    trace->is_sent = true;
+    trace->channel = -1;
+    Colour brought = steps.gather_radiance(trace, ray, rng);
+    if (trace->channel < 0)
+        return brought;
+    Colour of_channel = colour_grey(0.0f);
+    colour_set_channel(&of_channel, trace->channel, 3.0f * colour_channel(brought, trace->channel));
+    return of_channel;
+}
+
+// Draws a channel where there is none, and shows glass of its index for all colours.
+static void show_channel(GatherTrace *trace, Hit *hit)
+{
+    if (trace->channel < 0)
+        trace->channel = (int)(rng_float(&trace->eye->rng) * 3.0f);
+    trace->glass = *hit->material;
+    trace->glass.disperses = false;
+    for (int c = 0; c < 3; c++)
+        trace->glass.index[c] = hit->material->index[trace->channel];
+    hit->material = &trace->glass;
 }
 
 bool gather_meet(GatherTrace *trace, const Ray *ray, Hit *hit)
@@ -18,6 +38,8 @@ bool gather_meet(GatherTrace *trace, const Ray *ray, Hit *hit)
     trace->eye->rays++;
     if (trace->met++ == 0 && met)
         trace->distance = hit->distance;
+    if (met && trace->is_sent && hit->material->disperses)
+        show_channel(trace, hit);
     return met;
 }
 
@@ -42,7 +64,7 @@ static Colour gather_again(GatherTrace *trace, const Hit *hit)
     float u = rng_float(&eye->rng);
     float v = rng_float(&eye->rng);
     Ray onward = {hit->position, sample_cosine(hit->normal, u, v), hit->primitive};
-    GatherTrace next = {eye, INFINITY, 0, true};
+    GatherTrace next = {.eye = eye, .is_second = true};
     return colour_scale(colour_add(leaving, gather_send(&next, onward, &eye->rng)), PI);
 }
 

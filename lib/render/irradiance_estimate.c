@@ -53,7 +53,7 @@ void irradiance_estimate_make(Eye *eye, const Hit *hit, Vec3 wo, float distance,
     Hit lifted = *hit;
     lifted.position = vec3_along(hit->position, wo, LIFT * footprint);
     radiance_cache_clear(&eye->caustic_cache); // what it holds hangs on who worked here before
-    GatherTrace trace = {eye, INFINITY, 0, false};
+    GatherTrace trace = {.eye = eye};
     *estimate = (IrradianceEstimate){.position = hit->position, .normal = hit->normal};
     estimate->irradiance = steps.gather_hemisphere(&trace, &lifted, &seen, &eye->rng);
 

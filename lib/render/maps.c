@@ -1,9 +1,11 @@
 #include "render/maps.h"
 #include "base/parallel.h"
+#include "scene/material_kind.h"
 
 #include <stdlib.h>
 
-#define PLACES 4 // GATHER: one photon in so many lends its place to an estimate of irradiance
+#define PLACES        8 // GATHER: one photon in so many lends its place to an estimate of irradiance
+#define CAUSTIC_TIMES 8 // GATHER: as many photons for caustics alone
 
 static PhotonMap *build_map(PhotonArray *photons, Error *error)
 {
@@ -12,20 +14,16 @@ static PhotonMap *build_map(PhotonArray *photons, Error *error)
     return map;
 }
 
-// Caustic photons once more, for shadows to be sharp; and places, whose photons no estimate may count: one of k that is
-// there for certain would make each 1/k too bright. The others carry their flux.
-static bool part(PhotonPass *pass, PhotonArray *places)
+// Parts off places, whose photons no estimate may count: one of k that is there for certain would make each 1/k too
+// bright. The others carry their flux.
+static bool part(PhotonArray *photons, PhotonArray *places)
 {
-    StoredPhoton *all = pass->rest.photons;
-    StoredPhoton *caustic = malloc((pass->rest.count + 1) * sizeof *caustic);
-    places->photons = malloc((pass->rest.count / PLACES + 1) * sizeof *places->photons);
-    pass->caustic = (PhotonArray){caustic, 0};
-    if (!caustic || !places->photons)
+    StoredPhoton *all = photons->photons;
+    places->photons = malloc((photons->count / PLACES + 1) * sizeof *places->photons);
+    if (!places->photons)
         return false;
     size_t kept = 0;
-    for (size_t i = 0; i < pass->rest.count; i++) {
-        if (all[i].path == PATH_CAUSTIC)
-            caustic[pass->caustic.count++] = all[i];
+    for (size_t i = 0; i < photons->count; i++) {
         if (i % PLACES == PLACES - 1) {
             places->photons[places->count++] = all[i];
             continue;
@@ -33,20 +31,50 @@ static bool part(PhotonPass *pass, PhotonArray *places)
         all[kept] = all[i];
         all[kept++].power = colour_scale(all[i].power, PLACES / (PLACES - 1.0f));
     }
-    pass->rest.count = kept;
+    photons->count = kept;
     return true;
 }
 
 static bool build_ends(const Scene *scene, const RenderOptions *options, PhotonPass *pass, Maps *maps, Error *error)
 {
     PhotonArray places = {NULL, 0};
-    bool ok = part(pass, &places) || error_set(error, "not enough memory for %zu photons", pass->rest.count);
+    bool ok = part(&pass->rest, &places) || error_set(error, "not enough memory for %zu photons", pass->rest.count);
     PhotonMap *all = ok ? build_map(&pass->rest, error) : NULL;
     if (all)
         maps->ends = irradiance_map_build(scene, all, places.photons, places.count, (size_t)options->settings.k, error);
     free(places.photons);
     photon_map_free(all);
     return maps->ends != NULL;
+}
+
+static bool has_caustics(const Scene *scene)
+{
+    for (size_t i = 0; i < scene->material_count; i++) {
+        MaterialOptics optics = material_kind(&scene->materials[i])->optics;
+        if (optics == OPTICS_MIRROR || optics == OPTICS_GLASS)
+            return true;
+    }
+    return false;
+}
+
+// Caustics are seen as the photons lie, with no gather ray between. So there are more of them, from a pass of their own.
+static bool add_caustics(const Scene *scene, PhotonPassOptions options, PhotonPass *pass, RenderStats *stats,
+                         Error *error)
+{
+    PhotonPass more;
+    options.photons *= CAUSTIC_TIMES;
+    options.keep = KEEP_CAUSTIC;
+    if (!has_caustics(scene))
+        return true;
+    if (!photon_pass_run(scene, &options, &more, error))
+        return false;
+    stats->photon_rays += more.segments;
+    stats->photon_seconds += more.seconds;
+    free(pass->caustic.photons);
+    pass->caustic = more.caustic;
+    more.caustic = (PhotonArray){NULL, 0};
+    photon_pass_free(&more);
+    return true;
 }
 
 bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, RenderStats *stats, Error *error)
@@ -73,7 +101,8 @@ bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, Ren
     stats->photon_seconds = pass.seconds;
     stats->ledger = pass.ledger;
     double start = clock_seconds();
-    bool ok = !gathers || build_ends(scene, options, &pass, maps, error);
+    bool ok = !gathers || (build_ends(scene, options, &pass, maps, error) &&
+                           add_caustics(scene, pass_options, &pass, stats, error));
     maps->caustic = ok ? build_map(&pass.caustic, error) : NULL;
     maps->rest = maps->caustic && !gathers ? build_map(&pass.rest, error) : NULL;
     stats->build_seconds = clock_seconds() - start;

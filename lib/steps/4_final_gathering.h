@@ -26,7 +26,8 @@ Vec3 gather_direction(int ring, int sector, Rng *rng);
 //                              with E from gather_irradiance and ρ from gather_albedo
 //        mirror                go on along steps.reflect, weighed by material->specular
 //        glass                 go on, reflected with probability F = steps.fresnel, otherwise refracted and weighed by η²,
-//                              since radiance is squeezed in the denser side; index: steps.refractive_index, WHITE
+//                              since radiance is squeezed in the denser side; index: steps.refractive_index, WHITE (where
+//                              glass disperses, gather_send makes each ray one colour's; alone, the step has the mean)
 // A ray that goes on starts at hit.position, from hit.primitive.
 Colour gather_radiance(GatherTrace *trace, Ray ray, Rng *rng);
 

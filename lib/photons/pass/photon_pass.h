@@ -26,7 +26,7 @@ typedef struct {
     int depth;    // surfaces a path may meet
     uint64_t seed;
     int threads;   // 0: all cores
-    unsigned keep; // KEEP_…: which photons to store
+    unsigned keep; // KEEP_…: which photons to store. KEEP_CAUSTIC alone: paths end at their first rough surface
     StepChoice
         play; // whose BRDF the ledger expects at glossy surfaces; the loop of 1.5, the recursion of 3.4, or single wavelengths
     bool hero;        // with wavelengths: three for a photon, until it meets dispersing glass (Wilkie et al. 2014)

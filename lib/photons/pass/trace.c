@@ -107,7 +107,8 @@ bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit)
     if (photon->left_material)
         ledger_add_power(trace->path_chance, colour_scale(photon->power, -1.0f));
     photon->path = path_after(photon);
-    if (photon->bounce >= trace->options->depth) {
+    bool is_done = trace->options->keep == KEEP_CAUSTIC && photon->path == PATH_INDIRECT; // none will be kept any more
+    if (photon->bounce >= trace->options->depth || is_done) {
         ledger_add_power(trace->ledger.cut, photon->power);
         return false;
     }

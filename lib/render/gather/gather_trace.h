@@ -6,7 +6,8 @@
 #include "photons/irradiance.h"
 #include "scene/scene.h"
 
-// Sends a gather ray: what it brings (step 4.2), W/(m²·sr).
+// Sends a gather ray: what it brings (step 4.2), W/(m²·sr). Where glass disperses, the ray stands for one colour from there on,
+// drawn at random: gather_meet shows glass that has this colour's index for all, and only its channel counts, three times.
 Colour gather_send(GatherTrace *trace, Ray ray, Rng *rng);
 
 // The next surface along the ray. False: it leaves the scene, or has met too many surfaces.

@@ -6,14 +6,14 @@
 
 #include <stdlib.h>
 
-#define ESTIMATES_A_CELL 8.0f // on a flat surface, on average
+#define ESTIMATES_A_CELL 4.0f // on a flat surface, on average
 #define FACINGS          6    // along ±x, ±y, ±z, whichever is nearest
 
 // Keys apart from what they lead to: a gather ray ends anywhere, and keys alone fit a processor's cache.
 struct IrradianceMap {
     uint64_t *keys;         // hashes of cell and facing; 0: the slot is empty
     LocalIrradiance *cells; // means, while the map is built: sums
-    uint32_t *counts;       // of estimates in each
+    float *weights;         // of the estimates in each
     size_t mask;            // slots − 1, a power of two less one
     float size;             // of a cell, m
 };
@@ -117,19 +117,23 @@ static float cell_size(const Site *sites, size_t count, size_t photons, size_t k
     return (float)sqrt(area_a_photon * (double)photons / (double)count * (double)ESTIMATES_A_CELL);
 }
 
+static LocalIrradiance scaled(LocalIrradiance local, float factor)
+{
+    return (LocalIrradiance){colour_scale(local.irradiance, factor), local.radius * factor};
+}
+
+// A mean over the area of the cell, not over the photons in it, most of which lie where it is bright: weighed by the disk
+// that each of them stands for.
 static void add_site(IrradianceMap *map, const Site *site)
 {
     uint64_t key = key_of(place_of(map, site->position), facing_of(site->normal));
     size_t slot = slot_of(map, key);
     map->keys[slot] = key;
-    map->cells[slot].irradiance = colour_add(map->cells[slot].irradiance, site->local.irradiance);
-    map->cells[slot].radius += site->local.radius;
-    map->counts[slot]++;
-}
-
-static LocalIrradiance scaled(LocalIrradiance local, float factor)
-{
-    return (LocalIrradiance){colour_scale(local.irradiance, factor), local.radius * factor};
+    float weight = site->local.radius * site->local.radius;
+    LocalIrradiance part = scaled(site->local, weight);
+    map->cells[slot].irradiance = colour_add(map->cells[slot].irradiance, part.irradiance);
+    map->cells[slot].radius += part.radius;
+    map->weights[slot] += weight;
 }
 
 static IrradianceMap *map_create(size_t slots, float size)
@@ -138,8 +142,8 @@ static IrradianceMap *map_create(size_t slots, float size)
     if (!map)
         return NULL;
     *map = (IrradianceMap){calloc(slots, sizeof *map->keys), calloc(slots, sizeof *map->cells),
-                           calloc(slots, sizeof *map->counts), slots - 1, size};
-    if (map->keys && map->cells && map->counts)
+                           calloc(slots, sizeof *map->weights), slots - 1, size};
+    if (map->keys && map->cells && map->weights)
         return map;
     irradiance_map_free(map);
     return NULL;
@@ -158,8 +162,8 @@ IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons
         if (sites[i].local.radius > 0.0f)
             add_site(map, &sites[i]);
     for (size_t slot = 0; map && slot < slots; slot++)
-        if (map->counts[slot])
-            map->cells[slot] = scaled(map->cells[slot], 1.0f / (float)map->counts[slot]);
+        if (map->weights[slot])
+            map->cells[slot] = scaled(map->cells[slot], 1.0f / map->weights[slot]);
     free(sites);
     if (!map)
         error_set(error, "not enough memory for the irradiance of %zu photons", count);
@@ -184,31 +188,31 @@ void irradiance_map_free(IrradianceMap *map)
         return;
     free(map->keys);
     free(map->cells);
-    free(map->counts);
+    free(map->weights);
     free(map);
 }
 
 size_t irradiance_map_bytes(const IrradianceMap *map)
 {
-    return (map->mask + 1) * (sizeof *map->keys + sizeof *map->cells + sizeof *map->counts);
+    return (map->mask + 1) * (sizeof *map->keys + sizeof *map->cells + sizeof *map->weights);
 }
 
 // Where a cell is empty: the mean over its neighbours.
 static bool find_around(const IrradianceMap *map, Place place, int facing, LocalIrradiance *found)
 {
     LocalIrradiance sum = {colour_grey(0.0f), 0.0f};
-    uint32_t count = 0;
+    float weights = 0.0f;
     for (int i = 0; i < 27; i++) {
         Place next = {place.x + i % 3 - 1, place.y + i / 3 % 3 - 1, place.z + i / 9 - 1};
         size_t slot = slot_of(map, key_of(next, facing));
-        float weight = (float)map->counts[slot]; // 0 in an empty slot
+        float weight = map->weights[slot]; // 0 in an empty slot
         sum.irradiance = colour_add(sum.irradiance, colour_scale(map->cells[slot].irradiance, weight));
         sum.radius += map->cells[slot].radius * weight;
-        count += map->counts[slot];
+        weights += weight;
     }
-    if (count)
-        *found = scaled(sum, 1.0f / (float)count);
-    return count > 0;
+    if (weights > 0.0f)
+        *found = scaled(sum, 1.0f / weights);
+    return weights > 0.0f;
 }
 
 bool irradiance_map_find(const IrradianceMap *map, Vec3 position, Vec3 normal, LocalIrradiance *found)

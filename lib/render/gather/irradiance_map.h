@@ -1,6 +1,6 @@
 // Irradiance kept at photons (Christensen 1999): what a gather ray finds where it ends.
 //
-// At every fourth photon the irradiance E is estimated once, from all photons near it. A gather ray then takes the E of
+// At every eighth photon the irradiance E is estimated once, from all photons near it. A gather ray then takes the E of
 // the photons where it ends, instead of an estimate of its own: some hundred rays a point become affordable.
 #ifndef PHOTONLAB_RENDER_IRRADIANCE_MAP_H
 #define PHOTONLAB_RENDER_IRRADIANCE_MAP_H
