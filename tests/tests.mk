@@ -16,7 +16,7 @@ $(BUILD)/obj/tests/unit/%.o: OPTIMISE = -O1
 
 .PHONY: check-build check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-exercises \
         check-preview check-judge check-reports check-attacks check-sandbox check-scatter check-pictures check-arm check-same check-rooms check-extend \
-        reference reference-progressive agreement calibrate exercises bench bench-test bench-preview fuzz size format
+        reference reference-progressive agreement spectra calibrate exercises bench bench-test bench-preview fuzz size format
 
 # Before all others, which then build nothing twice.
 check-build: judge class-tools meshes
@@ -106,6 +106,12 @@ reference-progressive: all meshes
 ##check first agreement  photons against the path tracer (SCENES=few: as make check does)
 agreement: all meshes
 	@bash tests/agreement.sh $(PROGRAM) $(if $(CHECK),few,$(SCENES))
+
+##maintainer spectra  photons of single wavelengths against a spectral sum, three bands beside them, what hero wavelengths gain
+$(BUILD)/reflectances: $(call object,tests/spectra/reflectances.c) $(LIBRARY)
+	$(call link)
+spectra: all $(BUILD)/reflectances
+	@bash tests/spectra.sh $(PROGRAM) $(BUILD)/reflectances
 
 ##check long check-scatter  which mistakes the scatters show, and false verdicts (ten minutes)
 check-scatter: judge

@@ -17,7 +17,7 @@ static const float daylight[ROWS] = {
     87.70f,  83.29f,  83.70f,  80.03f,  80.21f,  82.28f,  78.28f,  69.72f,  71.61f,  74.35f,  61.60f,  69.89f,
 };
 
-// What a red and a blue wall reflect; a green one has the rest to 1. `make spectra` computes them.
+// What a red and a blue wall reflect; a green one has the rest to 1. build/reflectances computes them (make spectra).
 static const float red_wall[ROWS] = {
     0.07068f, 0.07171f, 0.07520f, 0.07905f, 0.07545f, 0.06056f, 0.03965f, 0.01191f, 0.0f,
     0.0f,     0.0f,     0.0f,     0.0f,     0.0f,     0.0f,     0.0f,     0.0f,     0.0f,
