@@ -15,6 +15,7 @@ int command_render(int count, char **arguments);
 int command_merge(int count, char **arguments);
 int command_photons(int count, char **arguments);
 int command_diff(int count, char **arguments);
+int command_frame(int count, char **arguments);
 int command_steps(int count, char **arguments);
 int command_preview(int count, char **arguments);
 

@@ -16,6 +16,7 @@ static const Command commands[] = {
     {"merge", command_merge, "one picture of passes that several machines have rendered"},
     {"photons", command_photons, "write the stored photons as a point cloud"},
     {"diff", command_diff, "compare two pictures"},
+    {"frame", command_frame, "a frame with words about a picture"},
     {"steps", command_steps, "list the steps to write, and hints for them"},
 };
 

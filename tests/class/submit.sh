@@ -68,5 +68,6 @@ while IFS= read -r file; do
         { echo "$file did not get into the archive whole; is the disk full?"; exit 1; }
 done <"$work/list"
 [ ! -e "$archive" ] || echo "(in the place of the one that was made earlier today)"
+printf '%s\n' "$name" >"$PHOTONLAB_BUILD/submit/name" # for the finale's frame
 cp "$work/archive.tar.gz" "$archive.new" && mv "$archive.new" "$archive" || exit 1
 echo "$archive: $(wc -l <"$work/list" | tr -d ' ') files, ${#started[@]} steps started"

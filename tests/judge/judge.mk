@@ -19,7 +19,7 @@ $(PROBE): $(call object,$(wildcard tests/judge/probe/*.c)) $(LIBRARY)
 $(WRITE_REPORTS): $(call object,$(wildcard tests/judge/report/*.c)) $(LIBRARY)
 	$(call link,-ljansson)
 
-.PHONY: judge test test-sanitized report debug
+.PHONY: judge test test-sanitized report finale debug
 judge: all $(JUDGE) $(PROBE)
 
 JUDGE_RUN = $(JUDGE) --build $(BUILD) --work $(BUILD)/test --code $(call quoted,$(CODE)) $(if $(STEP),--step $(call quoted,$(STEP))) \
@@ -35,8 +35,16 @@ test: judge
 ## report  the same, with your pictures: build/report/index.html; junit.xml and others
 report: judge $(WRITE_REPORTS)
 	@$(JUDGE_RUN) --report $(BUILD)/report; code=$$?; \
-	$(WRITE_REPORTS) $(if $(wildcard $(BUILD)/notes/index.html),--notes ../notes) $(BUILD)/report && \
+	$(WRITE_REPORTS) $(if $(wildcard $(BUILD)/notes/index.html),--notes ../notes) \
+	    $(if $(wildcard $(BUILD)/finale/finale.png),--finale ../finale/finale.png) $(BUILD)/report && \
 	$(if $(wildcard $(BUILD)/notes/index.html),:,echo "(after \`make notes\` its chapters are links)") && exit $$code
+
+## finale  all green? The course's picture by your code, in a frame: build/finale/finale.png [NAME=you] [SIDE=768]
+finale: export PHOTONLAB_NAME = $(NAME)
+finale: export PHOTONLAB_PLAYED = $(CODE_BUILD)
+finale: export PHOTONLAB_SIDE = $(or $(SIDE),768)
+finale: judge meshes code-built
+	@bash tests/judge/finale.sh $(JUDGE_RUN)
 
 ## debug  gdb on the case that failed: make debug STEP=2.1
 debug: judge

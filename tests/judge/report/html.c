@@ -172,6 +172,13 @@ bool report_html(const Report *report, FILE *stream, Error *error)
         html_step(report, step, stream);
     }
     write_scatter(report, stage, stream);
+    if (report->finale) {
+        fputs("<h2>Finale</h2>\n<p><a href=\"", stream);
+        text_markup(stream, report->finale);
+        fputs("\"><img style=\"width:100%\" alt=\"the course's picture by these steps, framed\" src=\"", stream);
+        text_markup(stream, report->finale);
+        fputs("\"/></a></p>\n", stream);
+    }
     fprintf(stream, "<footer>Graded in %.1f s; sandbox: ", report->seconds);
     text_markup(stream, report->sandbox);
     fputs(".</footer>\n</main>\n</body>\n</html>\n", stream);

@@ -8,13 +8,14 @@
 #include <sys/stat.h>
 
 static const char help[] =
-    "usage: report [--teacher] [--notes PATH] DIR\n"
+    "usage: report [--teacher] [--notes PATH] [--finale PATH] DIR\n"
     "\n"
     "Reads DIR/report.json, which the judge writes, and writes beside it index.html, junit.xml, report.tap,\n"
     "gradescope/results.json and prairielearn/results.json.\n"
     "\n"
     "  --teacher      show hidden steps, too (in index.html, junit.xml and report.tap)\n"
-    "  --notes PATH   where the course notes lie, seen from DIR: chapters become links, PATH/2_glossy_lobe.html#lobe\n";
+    "  --notes PATH   where the course notes lie, seen from DIR: chapters become links, PATH/2_glossy_lobe.html#lobe\n"
+    "  --finale PATH  the picture of `make finale`, seen from DIR: the page ends with it\n";
 
 static const struct {
     const char *folder, *name;
@@ -60,11 +61,14 @@ static int parse(int count, char **arguments, Report *report)
     const Flag flags[] = {
         {"teacher", FLAG_PRESENT, &report->teacher, 0, 0},
         {"notes", FLAG_TEXT, &report->notes, 0, 0},
+        {"finale", FLAG_TEXT, &report->finale, 0, 0},
     };
     int wrong = command_line_parse(&(CommandLine){"report", help, "one directory", flags, FLAG_COUNT(flags), 1, 1},
                                    count, arguments, &report->directory);
-    if (!wrong && report->notes && !is_beside(report->notes))
-        return report_usage("report", "--notes %s: expected a relative path", report->notes);
+    const char *const paths[] = {report->notes, report->finale};
+    for (int i = 0; !wrong && i < 2; i++)
+        if (paths[i] && !is_beside(paths[i]))
+            return report_usage("report", "%s: expected a relative path", paths[i]);
     return wrong;
 }
 
@@ -78,6 +82,7 @@ int main(int count, char **arguments)
     bool good = report_read(&report, flags.directory, &error);
     report.teacher = flags.teacher;
     report.notes = flags.notes;
+    report.finale = flags.finale;
     for (size_t i = 0; good && i < sizeof files / sizeof *files; i++)
         good = write_one(&report, i, &error);
     report_free(&report);

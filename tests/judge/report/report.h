@@ -74,7 +74,8 @@ typedef struct {
     size_t scatter_count;
 
     bool teacher;      // show hidden steps, too
-    const char *notes; // put before a chapter to make a link of it; NULL: no links
+    const char *notes;  // put before a chapter to make a link of it; NULL: no links
+    const char *finale; // a picture that the page ends with; NULL: none
     void *kept;        // memory of all the above
 } Report;
 

@@ -1,0 +1,140 @@
+#include "cli/cli.h"
+
+#ifdef WITHOUT_PREVIEW // the letters are the preview's
+
+int command_frame(int count, char **arguments)
+{
+    return command_preview(count, arguments);
+}
+
+#else
+
+#include "preview/draw/canvas_internal.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char help[] =
+    "usage: photonlab frame PICTURE [PICTURE] -o OUT.png [flags]\n"
+    "\n"
+    "Frames a picture, or two of one height side by side, with words below it: what `make finale` hangs on the wall.\n"
+    "\n"
+    "  -o FILE        where to: .png or .pfm\n"
+    "  --title WORDS  a line in large letters\n"
+    "  --text WORDS   lines in small ones; \\n begins another\n";
+
+typedef struct {
+    const char *pictures[2];
+    const char *out, *title, *text;
+} Arguments;
+
+// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
+static int parse(int count, char **arguments, Arguments *a)
+{
+    *a = (Arguments){.title = "", .text = ""};
+    const Flag flags[] = {
+        {"o", FLAG_TEXT, &a->out, 0, 0}, {"title", FLAG_TEXT, &a->title, 0, 0}, {"text", FLAG_TEXT, &a->text, 0, 0}};
+    int wrong = command_line_parse(
+        &(CommandLine){"photonlab frame", help, "one picture or two", flags, FLAG_COUNT(flags), 1, 2}, count, arguments,
+        a->pictures);
+    if (wrong)
+        return wrong;
+    Error error = {""};
+    if (!a->out || !image_path_is_known(a->out, &error))
+        return report_usage("photonlab frame", "%s", a->out ? error.message : "say where to: -o OUT.png");
+    return 0;
+}
+
+static void fill(Image *image, int x0, int y0, int x1, int y1, Colour colour)
+{
+    for (int y = y0 > 0 ? y0 : 0; y < y1 && y < image->height; y++)
+        for (int x = x0 > 0 ? x0 : 0; x < x1 && x < image->width; x++)
+            *image_at(image, x, y) = colour;
+}
+
+// Letters are made of rectangles that lie along the axes: six corners each.
+static void write_words(Image *image, int x, int y, int scale, const char *words)
+{
+    size_t count;
+    Vertex *corners = text_vertices((float)x, (float)y, (float)scale, (Rgba){255, 255, 255, 255}, words, &count);
+    for (size_t i = 0; corners && i + 6 <= count; i += 6)
+        fill(image, (int)corners[i].x, (int)corners[i].y, (int)corners[i + 2].x, (int)corners[i + 2].y,
+             colour_grey(0.55f));
+    free(corners);
+}
+
+static void hang(Image *wall, const Image *picture, int x, int y)
+{
+    int edge = 2; // a thin light line about it
+    fill(wall, x - edge, y - edge, x + picture->width + edge, y + picture->height + edge, colour(0.4f, 0.36f, 0.28f));
+    for (int row = 0; row < picture->height; row++)
+        memcpy(image_at(wall, x, y + row), image_at(picture, 0, row), (size_t)picture->width * sizeof(Colour));
+}
+
+// `\n` as two characters, as a shell passes it, begins a new line. Returns how many lines there are.
+static int break_lines(const char *text, char *lines, size_t size)
+{
+    int count = *text != '\0';
+    size_t used = 0;
+    for (; *text && used + 1 < size; text++) {
+        bool breaks = text[0] == '\n' || (text[0] == '\\' && text[1] == 'n');
+        count += breaks;
+        lines[used++] = breaks ? '\n' : *text;
+        text += breaks && *text == '\\';
+    }
+    lines[used] = '\0';
+    return count;
+}
+
+// As large as fits: its own lines may be as wide as the pictures.
+static int scale_of(const char *words, int width, int most)
+{
+    int scale = most;
+    while (scale > 1 && canvas_text_width((float)scale, words) > (float)width)
+        scale--;
+    return scale;
+}
+
+#define LINE 12 // pixels from line to line, of a letter at scale 1
+
+static bool make_frame(const Arguments *a, const Image pictures[2], Image *wall, Error *error)
+{
+    int side = pictures[0].height / 12 + 4, gap = pictures[1].pixels ? side / 2 : 0;
+    int inner = pictures[0].width + gap + pictures[1].width;
+    char lines[2000];
+    int count = break_lines(a->text, lines, sizeof lines);
+    int large = scale_of(a->title, inner, 1 + inner / 240), small = scale_of(lines, inner, 1 + inner / 500);
+    int words = (*a->title ? (LINE + 4) * large : 0) + LINE * small * count;
+    if (!image_create(wall, inner + 2 * side, pictures[0].height + 2 * side + words + (words ? side / 2 : 0), error))
+        return false;
+    fill(wall, 0, 0, wall->width, wall->height, colour(0.012f, 0.012f, 0.016f));
+    hang(wall, &pictures[0], side, side);
+    if (gap)
+        hang(wall, &pictures[1], side + pictures[0].width + gap, side);
+    int y = side + pictures[0].height + side / 2 + 4;
+    write_words(wall, side, y, large, a->title);
+    write_words(wall, side, y + (*a->title ? (LINE + 4) * large : 0), small, lines);
+    return true;
+}
+
+int command_frame(int count, char **arguments)
+{
+    Arguments a;
+    int wrong = parse(count, arguments, &a);
+    if (wrong)
+        return wrong == HELP_SHOWN ? 0 : wrong;
+    Error error = {""};
+    Image pictures[2] = {{0}}, wall = {0};
+    bool ok = image_read(&pictures[0], a.pictures[0], &error) &&
+              (!a.pictures[1] || image_read(&pictures[1], a.pictures[1], &error));
+    if (ok && a.pictures[1] && pictures[0].height != pictures[1].height)
+        ok = error_set(&error, "%s: %d pixels high, where %s has %d", a.pictures[1], pictures[1].height, a.pictures[0],
+                       pictures[0].height);
+    ok = ok && make_frame(&a, pictures, &wall, &error) && image_write(&wall, a.out, &error);
+    image_free(&pictures[0]);
+    image_free(&pictures[1]);
+    image_free(&wall);
+    return ok ? 0 : report_error(&error);
+}
+
+#endif
