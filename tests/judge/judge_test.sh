@@ -151,9 +151,12 @@ table "step 1.2" "step 1.2 2" 0 "8.57 of 8.57 points"
 table "step 1.2" "step 1.2 6 hidden" 0 "1 hidden step is graded, too"
 table "step 1.2" "# none" 2 "no line for step 1.2"
 table "none" "step 1.1 5" 2 "each step once"
-table "none" "step 9.9 5" 2 "one of the steps 1.1 to"
+table "none" "step 9.9 5" 2 "a step that there is"
 table "none" "stage 2 due 2026-02-30" 2 "a date that there are"
 table "none" "stage 9 weight 2" 2 "of a stage"
+table "step 2.1" "step 2.1 6
+stages 1" 0 "5 of 5 points"
+table "none" "stages 99" 2 "how many stages"
 table "picture" "picture 120" 2 "a percentage from 0 to 100"
 
 # Without a sandbox: loud, and not for credit.

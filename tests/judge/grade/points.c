@@ -9,7 +9,7 @@
 
 // The table as its lines say it, before weights become points.
 typedef struct {
-    double total, picture, weight[STEP_COUNT], stage_weight[MOST_STAGES];
+    double total, picture, stages, weight[STEP_COUNT], stage_weight[MOST_STAGES];
     bool given[STEP_COUNT];
     char due[MOST_STAGES][16];
 } Lines;
@@ -41,7 +41,7 @@ static bool is_date(const char *text)
 // step ID WEIGHT [hidden]
 static bool step_line(char **rest, Lines *lines, PointsTable *table, const char **expected)
 {
-    *expected = "step ID WEIGHT [hidden], with one of the steps 1.1 to 4.5, e.g. `step 2.1 6`";
+    *expected = "step ID WEIGHT [hidden], with a step that there is, e.g. `step 2.1 6`";
     const char *id = strtok_r(NULL, " \t", rest);
     for (int i = 0; id && i < STEP_COUNT; i++) {
         if (strcmp(step_table[i].id, id) != 0)
@@ -98,7 +98,10 @@ static bool read_line(char *line, Lines *lines, PointsTable *table, const char *
     *expected = "a percentage from 0 to 100 behind `picture`";
     if (strcmp(word, "picture") == 0)
         return number(&rest, 0.0, 100.0, &lines->picture);
-    *expected = "a line that begins with step, stage, total or picture";
+    *expected = "how many stages there are to be behind `stages`, e.g. `stages 3`";
+    if (strcmp(word, "stages") == 0)
+        return number(&rest, 1.0, STAGE_COUNT, &lines->stages);
+    *expected = "a line that begins with step, stage, stages, total or picture";
     return false;
 }
 
@@ -109,7 +112,8 @@ static bool weights_to_points(const char *path, const Lines *lines, PointsTable 
         if (!lines->given[i])
             return error_set(error, "%s: no line for step %s; give it weight 0 when it is not to count", path,
                              step_table[i].id);
-        table->points[i] = lines->weight[i] * lines->stage_weight[step_table[i].stage];
+        int stage = step_table[i].stage;
+        table->points[i] = stage <= lines->stages ? lines->weight[i] * lines->stage_weight[stage] : 0.0;
         memcpy(table->due[i], lines->due[step_table[i].stage], sizeof table->due[i]);
         sum += table->points[i];
     }
@@ -124,7 +128,7 @@ static bool weights_to_points(const char *path, const Lines *lines, PointsTable 
 bool points_read(const char *path, PointsTable *table, Error *error)
 {
     memset(table, 0, sizeof *table);
-    Lines lines = {.total = 100.0, .picture = 20.0};
+    Lines lines = {.total = 100.0, .picture = 20.0, .stages = STAGE_COUNT};
     for (int i = 0; i < MOST_STAGES; i++)
         lines.stage_weight[i] = 1.0;
     size_t size;
