@@ -169,6 +169,9 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
     if (!ok)
         fprintf(stderr, "judge: %s\n", error.message);
     int code = exit_code(a, results, count, stages);
+    for (int i = 0; i < count; i++)
+        if (results[i].status == STATUS_SKIP)
+            fprintf(stderr, "judge: step %s: %s\n", results[i].step->id, results[i].words.message);
     for (int i = 0; i < STAGE_COUNT; i++)
         stage_result_free(&stages[i]);
     for (int i = 0; i < count; i++)
@@ -212,12 +215,24 @@ static void warn_of_open_solutions(GradeOptions *g)
     }
 }
 
+// Before grading for credit, as root: what others could read is closed to them, and stays closed.
+static void close_solutions(const GradeOptions *g)
+{
+    struct stat state;
+    for (int i = 0; g->hidden[i]; i++)
+        if (stat(g->hidden[i], &state) == 0 && (state.st_mode & (S_IRWXG | S_IRWXO)) &&
+            chmod(g->hidden[i], state.st_mode & S_IRWXU) == 0)
+            fprintf(stderr, "── %s was open to others; now it is not.\n", g->hidden[i]);
+}
+
 static bool choose_sandbox(Arguments *a)
 {
     char reason[512] = "";
     a->grade.sandbox = sandbox_open(reason, sizeof reason);
     hide(&a->grade);
-    if (a->grade.sandbox == SANDBOX_UID && !a->credit)
+    if (a->grade.sandbox == SANDBOX_UID && a->credit)
+        close_solutions(&a->grade);
+    else if (a->grade.sandbox == SANDBOX_UID)
         warn_of_open_solutions(&a->grade);
     if (a->grade.sandbox != SANDBOX_NONE)
         return true;

@@ -112,6 +112,7 @@ const char *sandbox_uid_enter(const Launch *launch, const char **path)
     }
     for (int i = 0; i < MOST_HIDDEN && launch->hidden[i]; i++) {
         *path = launch->hidden[i];
+        errno = 0;
         if (access(*path, R_OK) == 0 || access(*path, X_OK) == 0)
             return "can be read by the code that is graded; run `chmod -R go-rwx` on it";
     }
