@@ -74,7 +74,7 @@ check-preview: all meshes
 	@bash tests/preview/check.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND)
 
 ##check beside check-attacks  every attack costs its step, and nothing else
-ATTACKS = . $(BUILD) $(JUDGE) --build $(BUILD) --seconds 1
+ATTACKS = . $(BUILD) $(JUDGE) --build $(BUILD) --credit --seconds 1
 check-attacks: judge $(WRITE_REPORTS)
 	@bash tests/attacks/both.sh $(ATTACKS)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every attack in this folder as a submission: it must cost its step all points, and leave everything else alone.
 #   run.sh ROOT BUILD JUDGE-COMMAND…        the judge with its flags, but for --code, --step, --work and --report
-# With PHOTONLAB_SANDBOX=uid, as root, on a copy of ROOT and BUILD in which the solutions are closed to others; words of the
+# With PHOTONLAB_SANDBOX=uid, as root, on a copy of ROOT and BUILD; words of the
 # command that are or begin with ROOT or BUILD are turned to the copy.
 # ONLY="name name" runs these alone (`beside`: with a right step beside them). An attack is a folder: a step's source, in which @ROOT@, @BUILD@ and @WORK@ become paths
 # (an attacker is to know what an insider knows); or `links`, a line "PATH TARGET" each; and `expect`, "STATUS WORDS": the
@@ -18,7 +18,7 @@ build=$2
 shift 2
 judge=("$@")
 
-# What a container for grading holds: solutions for root alone.
+# What a container for grading holds.
 copy_closed() {
     local old_root=$root old_build=$build i
     root=$work/tree
@@ -28,10 +28,7 @@ copy_closed() {
     (cd "$old_root" && tar -cf - --exclude=tests/reference/images tests) | tar -xf - -C "$root"
     cp -R "$old_build"/photonlab "$old_build"/probe "$old_build"/libphotonlab.so "$old_build"/judge "$old_build"/solutions "$build/"
     [ ! -x "$old_build/write_reports" ] || cp "$old_build/write_reports" "$build/"
-    chmod -R go+rX "$root"
-    for i in "$root/solutions" "$build/solutions" "$root/tests/alternatives" "$root/tests/mistakes" "$root/tests/attacks"; do
-        [ ! -e "$i" ] || chmod -R go-rwx "$i"
-    done
+    chmod -R go+rX "$root" # the judge has to close it
     for i in "${!judge[@]}"; do
         case ${judge[i]} in
         "$old_build" | "$old_build"/*) judge[i]=$build${judge[i]#"$old_build"} ;;
@@ -40,6 +37,8 @@ copy_closed() {
     done
 }
 [ "${PHOTONLAB_SANDBOX:-}" != uid ] || copy_closed
+mkdir "$work/neighbour" && cp "$root/solutions/1_diffuse_photon_map/1.1_reflect.c" "$work/neighbour/"
+export PHOTONLAB_HIDDEN=$work/neighbour
 root=$(cd "$root" && pwd)
 build=$(cd "$build" && pwd)
 
@@ -72,7 +71,7 @@ submit() {
 
 # grade STEPS…: the submission's report in $work/report; one judge's run a step. Its exit code says whether it lived.
 grade() {
-    "${judge[@]}" --code "$work/code" --work "$work/run" --report "$work/report" "$@" >"$work/out" 2>&1
+    "${judge[@]}" --root "$root" --code "$work/code" --work "$work/run" --report "$work/report" "$@" >"$work/out" 2>&1
 }
 
 # field NAME: of the report's first step.

@@ -96,6 +96,7 @@ config=$out/.parts/.config
     echo "export LC_ALL=${LC_ALL:-C}" # on other machines, too
     printf 'ROOT=%q\nBUILD=%q\nOUT=%q\nPOINTS=%q\n' "$root" "$build" "$out" "$points"
     printf 'export PHOTONLAB_CC=%q PHOTONLAB_FLAGS=%q PHOTONLAB_LINK=%q\n' "$PHOTONLAB_CC" "$PHOTONLAB_FLAGS" "$PHOTONLAB_LINK"
+    printf 'export PHOTONLAB_HIDDEN=%q\n' "$directory:$out"
     printf 'export PHOTONLAB_SALT=%q\nREGRADE=%q\nJUDGE_KEY=%q\nSECONDS_EACH=%q\n' "${PHOTONLAB_SALT:-}" \
         "${PHOTONLAB_REGRADE:-}" "$(judge_key)" \
         "${PHOTONLAB_SECONDS_EACH:-900}"

@@ -24,7 +24,8 @@ static const char help[] =
     "  --scatters N      the stages' scatters alone, with N salts: a line \"STAGE STATUS P THRESHOLD MESSAGE\" each\n"
     "  --verbose         show the checks of steps that pass, too\n"
     "\n"
-    "PHOTONLAB_SALT in the environment, which no other user can read, gives other random numbers.\n"
+    "PHOTONLAB_SALT in the environment, which no other user can read, gives other random numbers;\n"
+    "PHOTONLAB_HIDDEN=DIR:DIR names folders that the code must not read, beside the solutions.\n"
     "Exit: 0 nothing that was started fails; 1 something does; 2 wrong usage; 3 grading was not possible.\n";
 
 // A stage's number; −1, which is no stage, for anything else.

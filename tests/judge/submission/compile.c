@@ -95,9 +95,13 @@ static Status compile(const GradeOptions *options, const Paths *p, StepWords *to
 // A source must be a file of its own: a link could name anything on the machine.
 static Status find_source(const Paths *p, StepWords *words)
 {
-    struct stat state;
+    struct stat state, above;
+    char folder[4096];
     if (lstat(p->source, &state) != 0 && errno == ENOENT)
         return STATUS_TODO;
+    snprintf(folder, sizeof folder, "%.*s", (int)(strrchr(p->source, '/') - p->source), p->source);
+    if (lstat(folder, &above) != 0 || !S_ISDIR(above.st_mode))
+        return words_say(words, STATUS_ERROR, "the source's folder is a link");
     if (!S_ISREG(state.st_mode) || state.st_size > (off_t)MOST_SOURCE)
         return words_say(words, STATUS_ERROR, "the source is no plain file of a sensible size");
     return STATUS_PASS;
