@@ -10,7 +10,7 @@ for target in "$@"; do
     case $target in
     bench) packages="$packages g++ libnanoflann-dev libembree-dev povray xz-utils" ;;
     check* | class-trial | reference | agreement | bench-* | calibrate | fuzz | *figures | *-table)
-        packages="$packages libcmocka-dev clang libomp-dev xz-utils patch jq libxml2-utils perl python3 xvfb xdotool gnuplot-nox"
+        packages="$packages libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool gnuplot-nox"
         ;;
     esac
 done

@@ -9,7 +9,7 @@ framework_files() {
         find . \( -path ./build -o -path ./submissions -o -name .update -o -name 'before-update-*' \) -prune -o -type \
             f -print |
             sed 's|^\./||' | grep -vE '^(compile_commands\.json|scenes/meshes/(diamond|bumpy_sphere|ring)\.obj)$'
-    fi | grep -vE '\.(new-stub|saved-[0-9]+)$|^\.ci/|^\.git(attributes|/)' | LC_ALL=C sort
+    fi | grep -vE '\.(new-stub|saved-[0-9]+)$|^\.ci/|^\.git(attributes|hub/|lab-ci|/)' | LC_ALL=C sort
 }
 
 # framework_version: what the archive is called.
