@@ -29,7 +29,7 @@ table_rows() {
             kind == "b" { b++; right_name = named_rightly(); named += right_name; wrong += !right_name && $5 != "-" }
             kind == "unknown" { unknown++; unknown_caught += $3 == "fail"; silent += $5 == "-" }
             kind == "right" { right++; right_passed += $3 == "pass" }
-            kind == "solution" { points = $4 " " $3 }
+            kind == "solution" { points = sprintf("%.1f %s", $4, $3) }
             kind == "stub" { stub = $3 }
             END {
                 printf "| %s %s | %d | %d of %d | %d of %d | %d | %d of %d | %d of %d | %s | %s |\n", step, title, b, caught,
