@@ -99,6 +99,21 @@ picture() {
         'BEGIN { printf "  %-12s %-34s %6.2f s  POV-Ray %6.2f s  share %.2f (wanted %s)  relMSE %.2e (wanted %s)  %s\n", s, l, a, b, a / b, ws, e, we, (a / b <= ws && e <= we) ? "✓" : "✗" }'
 }
 
+# blotches SCENE FLAGS…: squared error of means over 16×16 pixels, and processor time
+blotches() {
+    local scene=$1 spent
+    shift
+    spent=$(TIMEFORMAT=%U; { time $native render scenes/$scene.yaml --size 512x512 --threads 1 --quiet -o $out/$scene.pfm "$@" >/dev/null 2>&1; } 2>&1)
+    xz -dc tests/reference/${scene}_512.pfm.xz >$out/$scene-reference.pfm
+    echo "$(number "$($native diff $out/$scene.pfm $out/$scene-reference.pfm --mask 204,56,308,90 --blocks 16 --json)" relmse_trimmed) $spent"
+}
+
+# low_frequency SCENE GATHER_PHOTONS PLAIN_PHOTONS PLAIN_K: the plain map has at least as much processor time
+low_frequency() {
+    echo "$1 $(blotches $1 --integrator gather --photons $2 --k 60 --samples 8) $(blotches $1 --photons $3 --k $4 --samples 8)" |
+        awk '{ printf "  %-12s gathered %.2e in %.1f s, map %.2e in %.1f s of processor time: 1/%.1f (wanted 1/5)  %s\n", $1, $2, $3, $4, $5, $4 / $2, (($4 >= 5 * $2 && $5 >= 0.95 * $3) ? "✓" : "✗") }'
+}
+
 pictures() {
     echo "Pictures, 512×512, two threads, whole process: to pbrt-v3 SPPM's error in a third of its time, which is this share of POV-Ray's;"
     echo "then to POV-Ray's own error in its own time"
@@ -108,7 +123,10 @@ pictures() {
     picture box_glass "to POV-Ray's error (aim)" 4.2e-4 1 --photons 6000000 --k 1000 --samples 32
     echo "The same, gathered: in 0.4 of its time"
     picture box_diffuse "gathered, to POV-Ray's error" 2.6e-4 0.4 --integrator gather --photons 300000 --k 60 --samples 8
-    picture box_glass "gathered, to POV-Ray's error" 4.2e-4 0.4 --integrator gather --photons 400000 --k 60 --samples 16
+    picture box_glass "gathered, to POV-Ray's error" 4.2e-4 0.4 --integrator gather --photons 400000 --k 60 --samples 8
+    echo "Blotches, gathered and straight from the map, in equal time"
+    low_frequency box_diffuse 300000 2000000 400
+    low_frequency box_glass 400000 1600000 320
     echo "By passes, whose radii shrink: to an eighth of the time that pbrt-v3's SPPM took to this error"
     picture box_glass "by 8 passes, to 8.6e-4" 8.6e-4 0.4 --passes 8 --photons 200000 --k 100
     echo
