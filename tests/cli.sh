@@ -32,6 +32,8 @@ expect 2 "--seed -1" "$program" render $scene -o "$work/a.png" --seed -1
 expect 2 "no choice \`\`" "$program" render $scene -o "$work/a.png" --steps ""
 expect 2 "no choice \`2.4\`" "$program" render $scene -o "$work/a.png" --steps 2.3,2.4
 expect 2 "path tracer knows whole glass only" "$program" render $scene -o "$work/a.png" --integrator path --glass-sides 1
+expect 2 "knows red, green and blue only" "$program" render $scene $quick -o "$work/a.png" --integrator path --spectral
+expect 2 "--wavelengths 2: expected 1 or 3" "$program" render $scene -o "$work/a.png" --wavelengths 2
 expect 2 "no such flag, or its value is missing" "$program" render $scene -o "$work/a.png" --photons
 expect 2 "no choice \`4.2\`" "$program" render $scene -o "$work/a.png" --steps 4.2
 expect 2 "--integrator magic: expected photons" "$program" render $scene -o "$work/a.png" --integrator magic
@@ -198,6 +200,11 @@ play="$program render scenes/box_diffuse.yaml $quick -o $work/c.png --code $work
 expect 0 "your code plays: 1.4" $play --json
 ok "photons that all die leave no indirect light" grep -q '"photons_stored":0,' "$work/out"
 ok "a stub is named" said 'still calling todo(): 1.1'
+expect 0 "" "$program" render $scene $quick -o "$work/w.pfm" --quiet --spectral
+expect 0 "" "$program" render $scene $quick -o "$work/w3.pfm" --quiet --spectral --steps 6.4
+ok "--spectral plays step 6.4" cmp "$work/w.pfm" "$work/w3.pfm"
+expect 0 "" "$program" render $scene $quick -o "$work/w1.pfm" --quiet --spectral --wavelengths 1
+ok "--wavelengths 1 is another picture" not cmp -s "$work/w.pfm" "$work/w1.pfm"
 expect 0 "the path tracer plays no step" $play --integrator path
 expect 0 "your code plays: nothing yet" "$program" render $scene $quick -o "$work/c.png" --code "$work/empty"
 expect 1 "is no directory of steps" "$program" render $scene $quick -o "$work/c.png" --code "$work/nowhere"

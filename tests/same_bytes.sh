@@ -40,6 +40,7 @@ same "box_glossy, steps 2.3 and 1.5" .pfm render scenes/box_glossy.yaml --steps 
 same "box_glass, gather" .pfm render scenes/box_glass.yaml --integrator gather --size 97x61 --photons 60000 --samples 3 --k 40
 same "box_glass, by passes" .pfm render scenes/box_glass.yaml --passes 5 --size 97x61 --photons 20000
 same "box_glass, by passes, radii by pixel" .pfm render scenes/box_glass.yaml --passes 3 --radii pixel --size 97x61 --photons 20000
+same "box_dispersion, wavelengths" .pfm render scenes/box_dispersion.yaml --spectral --size 97x61 --photons 60000 --samples 3 --k 40
 same "box_glass, photons only" .pfm render scenes/box_glass.yaml --integrator photons-only --size 97x61 --photons 60000 --samples 2
 same "box_dispersion, path" .pfm render scenes/box_dispersion.yaml --integrator path --size 97x61 --samples 4
 same "box_dispersion, stored photons" .ply photons scenes/box_dispersion.yaml --photons 50000
