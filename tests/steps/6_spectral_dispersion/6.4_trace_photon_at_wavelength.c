@@ -41,5 +41,37 @@ static void judge_slab(const Results *results, Finding *finding)
     expect_books(&c);
 }
 
+// wavelength_mirror.yaml
+#define MIRROR_WAVELENGTH 620.0f
+static const Colour gold = {0.9f, 0.6f, 0.2f}, blue_screen = {0.2f, 0.5f, 0.9f};
+
+static void plan_mirror(Plan *plan)
+{
+    plan_paths(plan, SCENES "wavelength_mirror.yaml", PHOTONS, 1, 3, plan->step);
+}
+
+// Mirror and screen each keep what they reflect at this wavelength, by roulette. What the screen sends on reaches the wall.
+static void judge_mirror(const Results *results, Finding *finding)
+{
+    PathCase c = path_case(results, 0, PHOTONS, finding);
+    double mirrored = (double)reflectance_at(gold, MIRROR_WAVELENGTH);
+    double scattered = mirrored * (double)reflectance_at(blue_screen, MIRROR_WAVELENGTH);
+    const double place[3] = {1.0, 1.0, 0.0}, from[3] = {-sqrt(0.5), -sqrt(0.5), 0.0};
+    Landed landed = {{0}, place, from};
+    Colour hue = spectral_colour(MIRROR_WAVELENGTH);
+    for (int i = 0; i < 3; i++)
+        landed.flux[i] = POWER * (double)colour_channel(hue, i) *
+                         (double)reflectance_at(blue_screen, MIRROR_WAVELENGTH) /
+                         (double)colour_channel(blue_screen, i);
+    expect_share(&c, stored_on(&c, 0).count, 0.0, "stored on a mirror");
+    BatchSum screen = stored_on(&c, 1), wall = stored_on(&c, 2);
+    expect_share(&c, screen.count, mirrored, "mirrored by gold at 620 nm");
+    expect_landed(&c, &screen, &landed, "photons of 620 nm behind a gold mirror");
+    expect_share(&c, wall.count, scattered, "scattered on to the wall by a blue screen at 620 nm");
+    expect_books(&c);
+}
+
 DEFINE_CHECKS(trace_photon_at_wavelength,
-              {"slab", "Through a slab, and on from a red screen", CHECK_SAMPLES, plan_slab, judge_slab, true})
+              {"slab", "Through a slab, and on from a red screen", CHECK_SAMPLES, plan_slab, judge_slab, true},
+              {"mirror", "From a mirror to a screen, and on to the wall", CHECK_SAMPLES, plan_mirror, judge_mirror,
+               true})
