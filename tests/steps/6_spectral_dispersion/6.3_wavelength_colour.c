@@ -6,6 +6,7 @@
 
 #define STEP_NM     5
 #define WAVELENGTHS 71 // 380 … 730 nm
+#define MORE        20 // by the seed
 
 static double lobe(double wavelength, double middle, double below, double above)
 {
@@ -24,29 +25,31 @@ static void expected_colour(double w, double expected[3])
     expected[2] = (0.0557 * x - 0.2040 * y + 1.0570 * z) / (double)EQUAL_ENERGY_BLUE;
 }
 
-static double wavelength_of(int number)
+static double wavelength_of(int number, uint64_t seed)
 {
-    return (double)WAVELENGTH_FIRST + STEP_NM * number;
+    double from_first =
+        number < WAVELENGTHS ? STEP_NM * number : (double)(hash_u64(seed + (uint64_t)number) % 3500) / 10.0;
+    return (double)(float)((double)WAVELENGTH_FIRST + from_first);
 }
 
 static void plan_colours(Plan *plan)
 {
-    for (int i = 0; i < WAVELENGTHS; i++)
-        plan_call(plan, 1, (double[]){wavelength_of(i)}, 1);
+    for (int i = 0; i < WAVELENGTHS + MORE; i++)
+        plan_call(plan, 1, (double[]){wavelength_of(i, plan->seed)}, 1);
 }
 
 static void judge_colours(const Results *results, Finding *finding)
 {
     double sum[3] = {0.0, 0.0, 0.0};
-    for (int i = 0; i < WAVELENGTHS; i++) {
-        double expected[3];
-        expected_colour(wavelength_of(i), expected);
+    for (int i = 0; i < WAVELENGTHS + MORE; i++) {
+        double expected[3], wavelength = wavelength_of(i, results->seed);
+        expected_colour(wavelength, expected);
         const float *found = numbers_of(results, (size_t)i, 3, finding);
         char inputs[60];
-        snprintf(inputs, sizeof inputs, "light of %.0f nm", wavelength_of(i));
+        snprintf(inputs, sizeof inputs, "light of %.4g nm", wavelength);
         if (found)
             vector_is(found, vec3d(expected[0], expected[1], expected[2]), 2e-4, inputs, i, finding);
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; i < WAVELENGTHS && c < 3; c++) {
             sum[c] += found ? (double)found[c] * (i == 0 || i == WAVELENGTHS - 1 ? 0.5 : 1.0) : (double)NAN;
             if (i % 5 == 0)
                 finding_feature(finding, found ? (double)found[c] - expected[c] : (double)NAN, 0.0);
