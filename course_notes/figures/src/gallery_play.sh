@@ -33,6 +33,7 @@ scenes_of() {
     4.[13]) echo picture_4 box_diffuse ;;
     4.*) echo picture_4 box_glossy ;;
     5.*) echo picture_5 ;;
+    6.*) echo picture_3 prism ;;
     *) echo box_glass box_dispersion ;;
     esac
 }
@@ -42,14 +43,15 @@ steps_of() {
     case $1 in
     1.5) echo 2.4,1.5 ;;
     2.3) echo 2.3,3.4 ;;
+    6.*) echo 2.4,6.4 ;;
     *) echo 2.4,3.4 ;;
     esac
 }
 
-# What a right picture is called: that of 2.3 is another than that of 2.4, stage 4 gathers, stage 5 has passes; all else gives the
-# same.
+# What a right picture is called: that of 2.3 is another than that of 2.4, stage 4 gathers, stage 5 has passes, stage 6 wavelengths;
+# all else gives the same.
 right_of() {
-    case $1 in 2.3) echo "$2_2.3" ;; 4.*) echo "$2_gathered" ;; 5.[12]) echo "$2_by_pass" ;; 5.*) echo "$2_by_pixel" ;; *) echo "$2" ;; esac
+    case $1 in 2.3) echo "$2_2.3" ;; 4.*) echo "$2_gathered" ;; 5.[12]) echo "$2_by_pass" ;; 5.*) echo "$2_by_pixel" ;; 6.*) echo "$2_spectral" ;; *) echo "$2" ;; esac
 }
 
 # render SCENE STEP fine|coarse SEED OUT [CODE]
