@@ -14,8 +14,9 @@ for target in "$@"; do
         ;;
     esac
 done
-# Newer systems have dropped these; something else does their work there.
+# Newer systems have dropped these, or call them otherwise.
 where_there_is="libosmesa6"
+case " $* " in *" fuzz "*) where_there_is="$where_there_is libclang-rt-dev" ;; esac
 
 others='photonlab needs a C99 compiler, GNU make, libpng and libyaml; make test also GSL, jansson, libseccomp, bubblewrap,
 libarchive and gdb; make preview GLFW, the stb headers and OSMesa or EGL; make notes pandoc, its figures gnuplot; its own tests also

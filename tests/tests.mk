@@ -162,15 +162,16 @@ bench-preview: all meshes
 ##maintainer fuzz  feed a reader with nonsense: READER=scene|obj|png|pfm SECONDS=600
 READER  ?= scene
 SECONDS ?= 60
-SEEDS = $(wildcard $(addsuffix *.$(READER:scene=yaml),tests/malformed/ scenes/))
 FUZZ_FLAGS = -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
-fuzz: $(SCENE_PAGE)
+fuzz: $(SCENE_PAGE) $(PROGRAM)
 	@test -f tests/fuzz/fuzz_$(READER).c || { echo "READER is scene, obj, png or pfm"; exit 1; }
 	@mkdir -p $(BUILD)/fuzz/corpus_$(READER)
 	clang $(STANDARD) -O1 -g -Ilib -Itests $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
 	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl || \
 	    { echo "Does clang lack its fuzzer? On Debian: apt-get install libclang-rt-$$(clang -dumpversion | cut -d. -f1)-dev"; exit 1; }
-	$(if $(SEEDS),@cp $(SEEDS) $(BUILD)/fuzz/corpus_$(READER))
+	@find tests scenes -name '*.$(READER:scene=yaml)' -size -16k -exec cp {} $(BUILD)/fuzz/corpus_$(READER) \;
+	$(if $(filter png pfm,$(READER)),@for bits in 8 16; do $(PROGRAM) render scenes/box_glass.yaml --size 9x7 --photons 99 --samples 1 \
+	    --bits $$bits --quiet -o $(BUILD)/fuzz/corpus_$(READER)/seed$$bits.$(READER); done)
 	@cp tests/fuzz/*.dict $(BUILD)/fuzz/ && $(SCENE_PAGE) --words >>$(BUILD)/fuzz/scene.dict
 	$(BUILD)/fuzz/fuzz_$(READER) -max_total_time=$(SECONDS) -timeout=10 -max_len=4096 -print_final_stats=1 \
 	    $(if $(filter scene obj,$(READER)),-dict=$(BUILD)/fuzz/$(READER).dict) $(BUILD)/fuzz/corpus_$(READER)
