@@ -60,6 +60,7 @@ check_keys() {
     differs "up: another depth" key Up
     differs "6: the disks of passes" key 6
     differs "up: a pass later" key Up
+    differs "7: the spectrum" key 7
     differs "1: points" key 1
     differs "space: slow light" key space
     key space

@@ -10,7 +10,7 @@ shot() {
 check_pictures() {
     local view
     display_start 640 480
-    for view in points paths lobe screen tree radii; do
+    for view in points paths lobe screen tree radii spectrum; do
         for context in osmesa egl window; do
             shot "$context" --view $view --split --context $context || bad "$view by $context: $(cat "$work/$context.log")"
         done
