@@ -16,7 +16,7 @@ static const char help[] =
     "                                     --k photons for each of these look-ups\n"
     "                       path          no photons: a path tracer, to check against\n"
     "  --photons N          photons to emit\n"
-    "  --k N                photons in an estimate; caustics take a quarter\n"
+    "  --k N                photons in an estimate; caustics take a quarter, but with gather\n"
     "  --radius R           none farther than R metres; 0: no limit. Fewer than k within R: r = R and all of them\n"
     "  --samples N          eye rays per pixel\n"
     "  --size WxH           pixels\n"
