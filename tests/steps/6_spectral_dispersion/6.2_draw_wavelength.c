@@ -45,4 +45,4 @@ static void judge_draws(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(draw_wavelength,
-              {"draws", "Wavelengths and weights over u", CHECK_VALUES, plan_draws, judge_draws, false})
+              {"draws", "Wavelengths and weights over u", CHECK_VALUES, plan_draws, judge_draws, false}, PICTURE(6))

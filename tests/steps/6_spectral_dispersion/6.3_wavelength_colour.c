@@ -60,4 +60,4 @@ static void judge_colours(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(wavelength_colour,
-              {"colours", "The colours of the spectrum", CHECK_VALUES, plan_colours, judge_colours, false})
+              {"colours", "The colours of the spectrum", CHECK_VALUES, plan_colours, judge_colours, false}, PICTURE(6))
