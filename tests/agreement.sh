@@ -18,14 +18,16 @@ agree() {
     rm -f "$work"/*.pfm
     "$program" render "$scene" $size --integrator path --samples "$samples" "$@" -o "$work/path.pfm" &&
         "$program" render "$scene" $size --photons 100000 --k 50 --radius 0 --samples 64 "$@" -o "$work/few.pfm" &&
-        "$program" render "$scene" $size --photons 1000000 --k 160 --radius 0 --samples 64 "$@" -o "$work/many.pfm" &&
-        "$program" render "$scene" $size --integrator gather --photons 400000 --k 60 --radius 0 --samples 256 "$@" -o "$work/gather.pfm" ||
+        "$program" render "$scene" $size --photons 1000000 --k 160 --radius 0 --samples 64 "$@" -o "$work/many.pfm" ||
         { bad "$name: does not run"; return; }
     local few many
     few=$("$program" diff "$work/few.pfm" "$work/path.pfm" --json)
     many=$("$program" diff "$work/many.pfm" "$work/path.pfm" --json)
     same_means "$name" "$many"
-    [ "${*#*2.3}" != "$*" ] || same_means "$name, gathered" "$("$program" diff "$work/gather.pfm" "$work/path.pfm" --json)"
+    if [ "${*#*2.3}" = "$*" ]; then
+        "$program" render "$scene" $size --integrator gather --photons 400000 --k 60 --radius 0 --samples 144 "$@" -o "$work/gather.pfm"
+        same_means "$name, gathered" "$("$program" diff "$work/gather.pfm" "$work/path.pfm" --json)"
+    fi
     check "$(number "$many" relmse_trimmed) < 0.7 * $(number "$few" relmse_trimmed)" \
         "$name: relMSE falls from $(number "$few" relmse_trimmed) to $(number "$many" relmse_trimmed)"
 }
