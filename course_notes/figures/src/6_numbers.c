@@ -95,8 +95,9 @@ static void write_density(void)
     for (int i = 0; i < MANY; i++)
         least = fmin(least, weight_at((i + 0.5) / MANY, &nm));
     fprintf(numbers, "weight_least %.3f\n", least);
-    weight_at(0.5, &nm);
-    fprintf(numbers, "middle_nm %.0f\n", nm);
+    double xyz[3]; // were they drawn by y
+    matching_xyz(430.0, xyz);
+    fprintf(numbers, "y_430 %.4f\nweight_by_y_430 %.1f\n", xyz[1], 106.9 / (350.0 * xyz[1]));
 }
 
 static double step_index(const SellmeierGlass *glass, double nm)
