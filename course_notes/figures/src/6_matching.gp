@@ -34,6 +34,6 @@ set ytics 0.5
 set format y "%.1f"
 set xlabel "wavelength, nm"
 set ylabel "density × 350 nm"
-set label 1 "even" at 700,1.08 center textcolor rgb grey
+set label 1 "even" at 700,1.14 center textcolor rgb grey
 plot 1 with lines dt 2 lc rgb grey, table using 1:8 with lines lw 2.5 lc rgb blue
 unset multiplot
