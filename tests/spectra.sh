@@ -31,9 +31,9 @@ picture() {
     "$program" render "$scene" --photons "$photons" --quiet "$@" -o "$work/$name.pfm" || bad "$scene $*: does not run"
 }
 
-# error NAME REFERENCE: relMSE
+# error NAME REFERENCE: relMSE over all channels
 error() {
-    number "$("$program" diff "$work/$1.pfm" "$work/$2.pfm" --json)" relmse
+    number "$("$program" diff "$work/$1.pfm" "$work/$2.pfm" --json)" relmse_all
 }
 
 # hue SCENE LIMIT MILLIONS BANDS…: so many millions of photons
