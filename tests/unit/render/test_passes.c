@@ -114,7 +114,7 @@ static RenderOptions small(void)
 
 static Image by_passes(const Scene *scene, RenderOptions options, Passes passes)
 {
-    Image image;
+    Image image = {0};
     RenderStats stats;
     Error error = {""};
     if (!passes_run(scene, &options, &passes, &stats, &error) || !passes_picture(&passes, &image, &error))
