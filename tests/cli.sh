@@ -87,6 +87,13 @@ expect 0 '"ledger":{"emitted":[' "$program" render $scene $quick -o "$work/a.pfm
 expect 0 "" "$program" render $scene $quick -o "$work/b.pfm" --quiet --k 5 --radius 0.3 --integrator photons-only
 expect 0 "mean ratio" "$program" diff "$work/a.pfm" "$work/b.pfm" -o "$work/d.png"
 expect 0 '"relmse_trimmed":0' "$program" diff "$work/a.pfm" "$work/a.pfm" --json
+if "$program" frame --help >/dev/null 2>&1; then # its letters are the preview's
+    expect 2 "say where to: -o OUT.png" "$program" frame "$work/a.pfm"
+    expect 0 "" "$program" frame "$work/a.pfm" "$work/b.pfm" -o "$work/framed.png" --title Ada --text 'one line\nanother'
+    expect 0 "" "$program" frame "$work/a.pfm" "$work/b.pfm" -o "$work/bare.png"
+    [ "$(wc -c <"$work/framed.png")" -gt "$(wc -c <"$work/bare.png")" ] && good "a frame has its words" || bad "a frame has no words"
+    expect 1 "pixels high" "$program" frame "$work/a.pfm" "$work/framed.png" -o "$work/two.png"
+fi
 expect 0 "" "$program" photons $scene -o "$work/p.ply" --photons 500
 expect 0 "" "$program" photons $scene -o "$work/p.csv" --photons 500
 
