@@ -74,6 +74,11 @@ judged 1 "write \`const\` before it" --step 1.1
 printf '#include <stdio.h>\n#include "photonlab.h"\nVec3 reflect(Vec3 d, Vec3 n) { printf("here\\n"); return *(Vec3 *)0; (void)d; (void)n; }\n' >"$stage1/1.1_reflect.c"
 judged 1 "printed: here" --step 1.1
 
+# The finale is of the student's own steps: none may be left for the reference to play, whatever STEP says.
+mkdir -p "$work/nothing"
+make -s BUILD="$build" CODE="$work/nothing" STEP=1.1 finale >"$work/out" 2>&1
+[ $? != 0 ] && grep -q "waits until every step passes" "$work/out" && good "the finale waits for every step" || bad "the finale does not wait: $(tail -3 "$work/out")"
+
 # make debug: gdb stops where it crashes.
 mkdir -p "$work/build"
 ln -s "$build"/* "$work/build/" 2>/dev/null
