@@ -43,6 +43,9 @@ static const char help_end[] =
     "  --depth N, --seed S  as in `photonlab photons`\n"
     "  --steps LIST         2.3 or 2.4 for glossy surfaces, 1.5, 3.4 or 6.4 for the photon's life\n"
     "  --spectral           photons of single wavelengths, as step 6.4 has them\n"
+    "  --render N           the picture that the key `p` renders, after N passes; in a snapshot\n"
+    "  --integrator NAME    … by photons, photons-only, gather or path (as the scene says)\n"
+    "  --radii NAME         … where its passes look for photons: alike (by k), pass or pixel, which shrink as in stage 5\n"
     "  --bare               no text in the picture; --no-wireframe: no lines of the scene\n"
     "  --context NAME       what draws a snapshot: osmesa, egl, or window, a hidden one (the first that is there)\n"
     "  --code DIR           play the steps built in DIR\n"
@@ -54,7 +57,7 @@ static const char help_end[] =
 
 typedef struct {
     const char *scene, *camera, *framing, *steps;
-    Choice view, colour, context;
+    Choice view, colour, context, integrator, radii;
     int size[2];
     bool frame, no_wireframe, split;
     float flight;
@@ -102,6 +105,10 @@ static bool check(Arguments *a)
     int context = 1 + a->context.chosen;
     options->in_window = context > CONTEXT_EGL;
     options->context = options->in_window ? CONTEXT_ANY : (ContextKind)context;
+    options->integrator = a->integrator.chosen;
+    options->radii = (RadiiRule)a->radii.chosen;
+    if (options->render > 0 && !options->snapshot)
+        error_set(&error, "--render: needs --snapshot; in the window the key `p` renders");
     if (a->steps)
         options->play_is_given = step_choice_parse(a->steps, &options->play, &error);
     if (options->snapshot)
@@ -126,6 +133,8 @@ static int parse(int count, char **arguments, Arguments *a)
     *a = (Arguments){.view = {view_names, 0},
                      .colour = {colour_names, 0},
                      .context = {CONTEXTS, -1},
+                     .integrator = {integrator_names, -1},
+                     .radii = {radii_rules, RADII_ALIKE},
                      .size = {1280, 720},
                      .flight = -1};
     a->options = (PreviewOptions){.photons = 200000, .recorded = 1000, .seed = 1};
@@ -147,6 +156,9 @@ static int parse(int count, char **arguments, Arguments *a)
         {"seed", FLAG_SEED, &o->seed, 0, 0},
         {"steps", FLAG_TEXT, &a->steps, 0, 0},
         {"spectral", FLAG_PRESENT, &o->spectral, 0, 0},
+        {"render", FLAG_INT, &o->render, 1, 1000000},
+        {"integrator", FLAG_CHOICE, &a->integrator, 0, 0},
+        {"radii", FLAG_CHOICE, &a->radii, 0, 0},
         {"bare", FLAG_PRESENT, &o->bare, 0, 0},
         {"no-wireframe", FLAG_PRESENT, &a->no_wireframe, 0, 0},
         {"context", FLAG_CHOICE, &a->context, 0, 0},

@@ -10,7 +10,7 @@ void app_moved(App *app)
     app->dirty = true;
     app->moved_at = clock_seconds();
     app->moving = true;
-    session_stop(&app->session.runs[RUN_RENDER][YOURS]); // it shows another view
+    session_stop_render(&app->session); // it shows another view
 }
 
 static App *app_of(Window *window)
@@ -109,7 +109,7 @@ static void on_size(Window *window, int width, int height)
     app->height = height;
     if (width > 0 && height > 0 && !canvas_resize(app->canvas, width, height, &error))
         fprintf(stderr, "%s\n", error.message);
-    session_stop(&app->session.runs[RUN_RENDER][YOURS]);
+    session_stop_render(&app->session);
     app->dirty = true;
 }
 

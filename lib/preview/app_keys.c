@@ -70,7 +70,7 @@ static void toggle_flight_where_it_shows(App *app)
 
 static void choose_view(App *app)
 {
-    session_stop(&app->session.runs[RUN_RENDER][YOURS]);
+    session_stop_render(&app->session);
     app->view.kind = (ViewKind)(app->key - '1');
     if (app->flying && !view_type(&app->view)->in_flight)
         toggle_flight(app);
@@ -88,9 +88,14 @@ static void choose_within(App *app)
 static void toggle_render(App *app)
 {
     if (app->session.runs[RUN_RENDER][YOURS])
-        session_stop(&app->session.runs[RUN_RENDER][YOURS]);
-    else if (!view_type(&app->view)->of_step)
+        session_stop_render(&app->session);
+    else if (view_type(&app->view)->shows != RUN_LOBE)
         session_render(&app->session);
+}
+
+static void next_way(App *app)
+{
+    session_next_way(&app->session);
 }
 
 static void next_colour(App *app)
@@ -183,6 +188,7 @@ static const struct {
     {"+ -", "more, fewer photons", change_photons, .keys = {'+', '-'}},
     {"r", "another seed", change_seed, .keys = {'r'}, .beside = true},
     {"p", "render what you see, by your code", toggle_render, .keys = {'p'}},
+    {"i", "how: photons, gathered, by passes", next_way, .keys = {'i'}, .beside = true},
     {"w", "wireframe", .toggle = offsetof(App, view.wireframe), .keys = {'w'}},
     {"s", "snapshot", save_snapshot, .keys = {'s'}, .beside = true},
     {"o", "report", open_report, .keys = {'o'}, .beside = true},

@@ -22,6 +22,9 @@ typedef struct {
     bool play_is_given;
     StepChoice play;
     bool spectral;       // photons of single wavelengths
+    int integrator;      // of pictures that are rendered: an Integrator; −1: as the scene says
+    RadiiRule radii;     // of their passes
+    int render;          // the picture is shown, and not photons: in a snapshot after so many passes. 0: photons
     bool bare;           // no text in the picture
     float orbit_seconds; // the window turns by itself for so long, and tells how fast; 0: it does not
     ContextKind context; // a snapshot is drawn in

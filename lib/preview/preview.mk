@@ -5,13 +5,15 @@ STAGE_SCENES    := $(shell sed -n 's/^STAGE.\([0-9]*\), *"\(.*\)".*/\1=\2/p' lib
 PREVIEW_SCENE    = $(if $(filter undefined file,$(origin SCENE)),$(or $(patsubst $(or $(STAGE),1)=%,%,$(filter $(or $(STAGE),1)=%,$(STAGE_SCENES))),$(error STAGE=$(STAGE): expected one of $(foreach s,$(STAGE_SCENES),$(firstword $(subst =, ,$(s)))))),$(SCENE))
 PREVIEW_SNAPSHOT = $(BUILD)/preview.png
 
+# What a stage is about is what its preview renders.
+STAGE_FLAGS      = $(if $(filter 4,$(STAGE)),--integrator gather) $(if $(filter 5,$(STAGE)),--radii pass) $(if $(filter 6,$(STAGE)),--spectral)
 PREVIEW_FLAGS    = --code '$(CODE_BUILD)' --watch $(call quoted,$(CODE_SOURCE)) --build $(STEP_COMMAND) --report '$(BUILD)/report/index.html'
 
 .PHONY: preview snapshot
 
 ## preview  your photons, new after every save: make preview [STAGE=3] [SCENE=scenes/prism.yaml]
 preview: all meshes code-built
-	@$(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) $(PREVIEW_FLAGS) $(FLAGS)
+	@$(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) $(PREVIEW_FLAGS) $(STAGE_FLAGS) $(FLAGS)
 
 ## snapshot  the same as a picture, build/preview.png: [FLAGS="--view paths"]
 snapshot: all meshes code-built

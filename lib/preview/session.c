@@ -15,6 +15,8 @@ bool session_start(Session *session, const Scene *scene, const PreviewOptions *o
     *session = (Session){.options = options, .view = view, .broker = broker, .canvas = canvas};
     session->photons = options->photons;
     session->seed = options->seed;
+    session->integrator = options->integrator < 0 ? scene->settings.integrator : (Integrator)options->integrator;
+    session->radii = options->radii;
     for (int i = 0; i < DATA_COUNT; i++)
         if (!(session->data[i] = view_data_create(canvas, scene)))
             return error_set(error, "not enough memory for the preview");
@@ -48,8 +50,8 @@ static void fault(Session *session, const char *text)
 static void rebuilt(Session *session)
 {
     session->fault[0] = session->notice[0] = '\0'; // to be told again if they are still there
-    session->have[RUN_LOBE][YOURS] = false;
-    session_stop(&session->runs[RUN_LOBE][YOURS]);
+    for (int kind = RUN_LOBE; kind < RUN_RENDER; kind++)
+        session_drop(session, (RunKind)kind, YOURS);
     session_ask_player(session, YOURS);
     session->asked_by = "save";
     session->after_save = true; // until the window has shown it
@@ -128,18 +130,20 @@ static bool poll_run(Session *session, RunKind kind, int player)
         return false;
     RunStatus status = run_poll(*run);
     bool of_yours = kind == RUN_PHOTONS && player == YOURS;
-    if (kind == RUN_RENDER && status.state != RUN_FAILED)
-        return status.news; // it goes on until it is stopped
+    if (kind == RUN_RENDER && status.state != RUN_FAILED) {
+        session->have[kind][player] = status.state == RUN_DONE;
+        return status.news;
+    }
     if (status.state == RUN_GOING)
         return of_yours && look_at_coming(session);
     session->coming = session->coming && !of_yours;
     session->have[kind][player] = true; // a failure, too: it would fail again at once
     if (status.state == RUN_FAILED)
         fault(session, status.failure);
-    else if (kind == RUN_LOBE)
-        view_data_sample(session->data[player], run_take_lobe(*run));
-    else
+    else if (kind == RUN_PHOTONS)
         view_data_record(session->data[player], run_take_recording(*run));
+    else
+        view_data_find(session->data[player], kind, run_take_findings(*run));
     if (of_yours && status.state == RUN_DONE)
         take_photons(session, &status);
     session_stop(run);
@@ -175,12 +179,13 @@ bool session_poll(Session *session)
     return news;
 }
 
-// What is waited for: photons or samples. NULL: nothing.
+// What is waited for: photons or findings. NULL: nothing.
 static Run *awaited(const Session *session)
 {
+    int last = session->most_passes > 0 ? RUN_RENDER : RUN_RENDER - 1;
     for (int i = 0; i < PLAYERS; i++)
-        for (int kind = RUN_PHOTONS; kind <= RUN_LOBE; kind++)
-            if (session->runs[kind][i])
+        for (int kind = RUN_PHOTONS; kind <= last; kind++)
+            if (session->runs[kind][i] && !session->have[kind][i])
                 return session->runs[kind][i];
     return NULL;
 }

@@ -17,13 +17,16 @@ typedef struct {
     Canvas *canvas;
     Broker *broker;
     Watch *watch;                  // NULL: nothing is watched
-    Run *runs[RUN_KINDS][PLAYERS]; // under way; only YOURS are rendered
+    Run *runs[RUN_KINDS][PLAYERS]; // under way; a picture's stays when it has all of its passes
     bool have[RUN_KINDS][PLAYERS]; // what the data hold is of the present settings
     ViewData *data[DATA_COUNT];
     double lobe[MOST_SETTINGS]; // of the view, that its samples were asked with
 
     long photons;
     uint64_t seed;
+    Integrator integrator;     // of pictures,
+    RadiiRule radii;           // and of their passes
+    int most_passes;           // 0: until they are stopped
     double asked_at;           // clock_seconds() of the save or key that the coming photons answer
     const char *asked_by;      // "start", "key" or "save"
     bool after_save, answered; // … and its photons, or the first of them, are there
@@ -53,6 +56,8 @@ void session_ask_photons(Session *session);
 void session_ask_player(Session *session, int player);
 // Asks for whatever the view needs and is not there yet.
 void session_need(Session *session);
+// What there is of one kind is out of date.
+void session_drop(Session *session, RunKind kind, int player);
 // Ends a run, if there is one.
 void session_stop(Run **run);
 
@@ -64,7 +69,11 @@ bool session_is_busy(const Session *session);
 // Sleeps until something comes or the time is up.
 void session_wait(Session *session, double seconds);
 
-void session_render(Session *session); // as large as the canvas
+// What the view shows, as large as the canvas; where it is split, half of it, and the reference's beside.
+void session_render(Session *session);
+void session_stop_render(Session *session);
+// Another way to make a picture.
+void session_next_way(Session *session);
 
 // The student's data as they are to be shown now.
 ViewData *session_yours(const Session *session);

@@ -15,6 +15,12 @@ void session_stop(Run **run)
     *run = NULL;
 }
 
+void session_drop(Session *session, RunKind kind, int player)
+{
+    session->have[kind][player] = false;
+    session_stop(&session->runs[kind][player]);
+}
+
 static RunRequest request_for(const Session *session, int player, RunKind kind)
 {
     const PreviewOptions *options = session->options;
@@ -63,27 +69,37 @@ void session_ask_photons(Session *session)
 {
     session->asked_by = view_data_recording(session->data[YOURS])->emitted > 0 ? "key" : "start";
     session->asked_at = clock_seconds();
-    session->have[RUN_PHOTONS][REFERENCE] = false;
-    session_stop(&session->runs[RUN_PHOTONS][REFERENCE]);
+    session_drop(session, RUN_PHOTONS, REFERENCE);
+    for (int i = 0; i < PLAYERS; i++) { // those are made of photons, too
+        session_drop(session, RUN_ESTIMATES, i);
+        session_drop(session, RUN_DISKS, i);
+    }
     session_ask_player(session, YOURS);
 }
 
-static void need_lobe(Session *session)
+// What the lobe's samples depend on.
+static void ask_lobe(const Session *session, RunRequest *request)
 {
     const double *settings = session->view->settings[VIEW_LOBE];
-    bool changed = memcmp(session->lobe, settings, sizeof session->lobe) != 0;
-    memcpy(session->lobe, settings, sizeof session->lobe);
+    request->exponent = (float)settings[LOBE_EXPONENT];
+    request->angle = (float)settings[LOBE_ANGLE];
+    request->diffuse = settings[LOBE_DIFFUSE] != 0.0;
+}
+
+// Findings of the kind that the view shows.
+static void need_findings(Session *session, RunKind kind)
+{
+    const double *settings = session->view->settings[VIEW_LOBE];
+    bool changed = kind == RUN_LOBE && memcmp(session->lobe, settings, sizeof session->lobe) != 0;
+    if (kind == RUN_LOBE)
+        memcpy(session->lobe, settings, sizeof session->lobe);
     for (int i = 0; i < PLAYERS; i++) {
-        if (changed) {
-            session->have[RUN_LOBE][i] = false;
-            session_stop(&session->runs[RUN_LOBE][i]);
-        }
-        if ((i == REFERENCE && !session->view->split) || session->have[RUN_LOBE][i] || session->runs[RUN_LOBE][i])
+        if (changed)
+            session_drop(session, kind, i);
+        if ((i == REFERENCE && !session->view->split) || session->have[kind][i] || session->runs[kind][i])
             continue;
-        RunRequest request = request_for(session, i, RUN_LOBE);
-        request.exponent = (float)settings[LOBE_EXPONENT];
-        request.angle = (float)settings[LOBE_ANGLE];
-        request.diffuse = settings[LOBE_DIFFUSE] != 0.0;
+        RunRequest request = request_for(session, i, kind);
+        ask_lobe(session, &request);
         start(session, i, &request);
     }
 }
@@ -94,15 +110,49 @@ void session_need(Session *session)
     bool yours_known = view_data_recording(session->data[YOURS])->emitted > 0 && !runs[YOURS];
     if (session->view->split && yours_known && !session->have[RUN_PHOTONS][REFERENCE] && !runs[REFERENCE])
         session_ask_player(session, REFERENCE);
-    if (view_type(session->view)->of_step)
-        need_lobe(session);
+    if (view_type(session->view)->shows != RUN_PHOTONS)
+        need_findings(session, view_type(session->view)->shows);
 }
 
 void session_render(Session *session)
 {
-    RunRequest request = request_for(session, YOURS, RUN_RENDER);
-    request.camera = orbit_camera(&session->view->orbit);
-    request.width = canvas_width(session->canvas);
-    request.height = canvas_height(session->canvas);
-    start(session, YOURS, &request);
+    int parts = session->view->split ? PLAYERS : 1;
+    for (int i = 0; i < parts; i++) {
+        RunRequest request = request_for(session, i, RUN_RENDER);
+        request.integrator = session->integrator;
+        request.radii = session->radii;
+        request.passes = session->most_passes;
+        request.camera = orbit_camera(&session->view->orbit);
+        request.width = canvas_width(session->canvas) / parts;
+        request.height = canvas_height(session->canvas);
+        session->have[RUN_RENDER][i] = false;
+        start(session, i, &request);
+    }
+}
+
+void session_stop_render(Session *session)
+{
+    for (int i = 0; i < PLAYERS; i++)
+        session_drop(session, RUN_RENDER, i);
+}
+
+void session_next_way(Session *session)
+{
+    static const struct {
+        Integrator integrator;
+        RadiiRule radii;
+    } WAYS[] = {{INTEGRATOR_PHOTONS, RADII_ALIKE},
+                {INTEGRATOR_GATHER, RADII_ALIKE},
+                {INTEGRATOR_PHOTONS, RADII_BY_PASS},
+                {INTEGRATOR_PHOTONS, RADII_BY_PIXEL},
+                {INTEGRATOR_PHOTONS_ONLY, RADII_ALIKE}};
+    enum { WAY_COUNT = sizeof WAYS / sizeof *WAYS };
+    int next = 0;
+    for (int i = 0; i < WAY_COUNT; i++)
+        if (WAYS[i].integrator == session->integrator && WAYS[i].radii == session->radii)
+            next = (i + 1) % WAY_COUNT;
+    session->integrator = WAYS[next].integrator;
+    session->radii = WAYS[next].radii;
+    if (session->runs[RUN_RENDER][YOURS])
+        session_render(session);
 }

@@ -35,7 +35,11 @@ static void list_status(const Session *session, char *text, size_t size)
     if (session->timed && recording->emitted > 0)
         text_append(text, size, ", %.2f s", recording->seconds);
     if (render && run_image(render, &passes))
-        text_append(text, size, " | rendered: %d pass%s", passes, passes == 1 ? "" : "es");
+        text_append(text, size, " | rendered (%s%s): %d pass%s", integrator_names[session->integrator],
+                    session->radii == RADII_ALIKE     ? ""
+                    : session->radii == RADII_BY_PASS ? ", radii by pass"
+                                                      : ", radii by pixel",
+                    passes, passes == 1 ? "" : "es");
     if (session->options->code) {
         if (!list_steps(recording, true, true, " | your code: ", text, size))
             text_append(text, size, " | your code: nothing yet");
@@ -62,34 +66,32 @@ static void list_faults(const Session *session, char *text, size_t size)
             text_append(text, size, "%s%s", text[0] ? "\n" : "", lines[i]);
 }
 
-// As sRGB, in memory of its own; NULL where it is short.
-static uint8_t *rgba_of_image(const Image *image)
+// Of a run that renders, as sRGB, in memory of its own. None: there is nothing yet, or memory is short.
+static Picture picture_of(const Run *run)
 {
-    size_t count = (size_t)image->width * (size_t)image->height;
-    uint8_t *bytes = malloc(count * 4);
+    int passes;
+    const Image *image = run ? run_image(run, &passes) : NULL;
+    size_t count = image ? (size_t)image->width * (size_t)image->height : 0;
+    uint8_t *bytes = image ? malloc(count * 4) : NULL;
     for (size_t i = 0; bytes && i < count; i++) {
         for (int c = 0; c < 3; c++)
             bytes[4 * i + (size_t)c] = (uint8_t)(255.0f * srgb_encode(colour_channel(image->pixels[i], c)) + 0.5f);
         bytes[4 * i + 3] = 255;
     }
-    return bytes;
+    return bytes ? (Picture){bytes, image->width, image->height} : (Picture){NULL, 0, 0};
 }
 
 void session_draw(const Session *session, const View *view, const char *help)
 {
     char status[700], banner[2000];
-    bool bare = session->options->bare;
-    int passes;
-    const Run *render = session->runs[RUN_RENDER][YOURS];
-    const Image *image = render ? run_image(render, &passes) : NULL;
-    uint8_t *picture = image ? rgba_of_image(image) : NULL;
     list_status(session, status, sizeof status);
     list_faults(session, banner, sizeof banner);
-    Captions captions = {.help = help, .bare = bare, .picture = picture};
+    Captions captions = {.help = help, .bare = session->options->bare};
     captions.status = session->options->given[YOURS] ? NULL : status;
     captions.banner = banner;
-    captions.picture_columns = image ? image->width : 0;
-    captions.picture_rows = image ? image->height : 0;
+    for (int i = 0; i < PLAYERS; i++)
+        captions.pictures[i] = picture_of(session->runs[RUN_RENDER][i]);
     view_draw(session->canvas, view, session_yours(session), session->data[REFERENCE], &captions);
-    free(picture);
+    for (int i = 0; i < PLAYERS; i++)
+        free((void *)captions.pictures[i].rgba);
 }

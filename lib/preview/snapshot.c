@@ -43,6 +43,19 @@ static void append_settings(const View *view, char *text, size_t size)
     }
 }
 
+// How the picture was rendered, if it is one.
+static void append_render(const Session *session, char *text, size_t size)
+{
+    int passes = 0;
+    const Run *render = session->runs[RUN_RENDER][YOURS];
+    if (!render || !run_image(render, &passes))
+        return;
+    text_append(text, size, " --render %d --integrator %s", passes > 0 ? passes : 1,
+                integrator_names[session->integrator]);
+    if (session->radii != RADII_ALIKE)
+        text_append(text, size, " --radii %s", radii_rules[session->radii]);
+}
+
 void snapshot_command(const Session *session, char *text, size_t size)
 {
     const PreviewOptions *options = session->options;
@@ -71,6 +84,7 @@ void snapshot_command(const Session *session, char *text, size_t size)
         text_append(text, size, " --code %s", options->code);
     if (options->spectral)
         text_append(text, size, " --spectral");
+    append_render(session, text, size);
     if (options->play_is_given) {
         text_append(text, size, " --steps ");
         step_choice_print(options->play, text + strlen(text), size - strlen(text));
@@ -88,6 +102,9 @@ static bool draw_and_write(Session *session, const Scene *scene, Error *error)
         if (options->given[i])
             view_data_record(session->data[i], recording);
     }
+    session->most_passes = options->render;
+    if (options->render > 0 && !session->runs[RUN_RENDER][YOURS])
+        session_render(session);
     while (!options->given[YOURS] && (session_poll(session) || session_is_busy(session)))
         session_wait(session, 0.05);
     if (session->fault[0] && !options->every_save)

@@ -66,8 +66,9 @@ Colour final_gather_irradiance(Eye *eye, const Hit *hit, Vec3 wo, float distance
     return irradiance;
 }
 
-#define COARSEST 32  // pixels between the first estimates
-#define BATCH    128 // estimates made at a time, blind to each other
+#define LEVELS   6
+#define COARSEST (1 << (LEVELS - 1)) // pixels between the first estimates
+#define BATCH    128                 // estimates made at a time, blind to each other
 
 typedef struct {
     int width, height;
@@ -166,13 +167,16 @@ bool final_gather_fill(Eye *const eyes[], int threads, int width, int height)
     Grid grid = {width, height, malloc(pixels * sizeof *grid.points), 0, malloc(pixels * sizeof *grid.open)};
     int(*kept)[2] = malloc(pixels * sizeof *kept);
     bool ok = grid.points && grid.open && kept;
-    for (int spacing = COARSEST; ok && spacing >= 1; spacing /= 2) {
-        grid_points(&grid, spacing);
+    for (int level = 0; ok && level < LEVELS; level++) {
+        grid_points(&grid, COARSEST >> level);
         keep_open(eyes, threads, &grid, kept);
-        for (size_t first = 0; first < grid.count; first += BATCH)
+        for (size_t first = 0; first < grid.count; first += BATCH) {
             ok = fill_batch(eyes, threads, &grid, kept + first,
                             grid.count - first < BATCH ? grid.count - first : BATCH) &&
                  ok;
+            progress_report(&eyes[0]->options->progress, "gather rays",
+                            (level + (double)first / (double)grid.count) / LEVELS);
+        }
     }
     free(grid.points);
     free(grid.open);

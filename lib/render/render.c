@@ -109,6 +109,12 @@ static Eye *eye_create(const Scene *scene, const RenderOptions *options, const M
     return NULL;
 }
 
+static void give_estimates(const RenderOptions *options, const IrradianceCache *cache)
+{
+    for (size_t i = 0; options->estimates.take && i < irradiance_cache_count(cache); i++)
+        options->estimates.take(options->estimates.user, irradiance_cache_at(cache, i));
+}
+
 static void eye_pass(Eye *const eyes[], int threads, Image *image)
 {
     int tiles = ((image->width + TILE - 1) / TILE) * ((image->height + TILE - 1) / TILE);
@@ -136,6 +142,8 @@ static bool look(const Scene *scene, const RenderOptions *options, const Maps *m
     double start = clock_seconds();
     ok = ok && (!gathers || final_gather_fill(eyes, threads, image->width, image->height));
     stats->gather_seconds = clock_seconds() - start;
+    if (ok && gathers)
+        give_estimates(options, final.cache);
     if (ok)
         eye_pass(eyes, threads, image);
     stats->estimates = gathers && final.cache ? irradiance_cache_count(final.cache) : 0;

@@ -3,6 +3,7 @@
 #define PHOTONLAB_RENDER_RENDER_H
 
 #include "image/image.h"
+#include "photons/irradiance.h"
 #include "photons/pass/photon_pass.h"
 #include "steps/steps.h"
 
@@ -27,6 +28,10 @@ typedef struct {
     float reuse;            // PHOTONS: estimates from the maps are shared within this part of their radius; 0: none is
     const RenderPass *pass; // NULL: a picture by itself
     Progress progress;
+    struct { // GATHER: is given the estimates that the picture needs, one after the other. NULL: is not called
+        void (*take)(void *user, const IrradianceEstimate *estimate);
+        void *user;
+    } estimates;
 } RenderOptions;
 
 #define REUSE_DEFAULT 0.35f

@@ -58,13 +58,20 @@ check_keys() {
     differs "f: frames the screen" key f
     differs "5: the tree" key 5
     differs "up: another depth" key Up
-    differs "6: the disks of passes" key 6
+    differs "6: the disks of passes" eval 'key 6; sleep 1'
     differs "up: a pass later" key Up
     differs "7: the spectrum" key 7
+    differs "8: estimates of irradiance" eval 'key 8; sleep 0.1; wait_for 15 looks_other; sleep 1'
+    differs "v: their places alone" key v
     differs "1: points" key 1
     differs "space: slow light" key space
     key space
     differs "p: renders" eval 'key p; wait_for 15 looks_other'
+    differs "i: gathers" eval 'key i; wait_for 15 looks_other'
+    wait_for 15 eval 'picture_now after && grep -q -- "--render [0-9]* --integrator gather" "$log"' && good "s: tells how it was rendered" || bad "s: does not tell how it was rendered"
+    differs "i: by passes" eval 'key i; wait_for 15 looks_other'
+    differs "b: the reference's picture beside" eval 'key b; wait_for 15 looks_other'
+    key b
     key p
     key o
     told "o: the report, or how to get one" 'no report yet|the report: ' 5

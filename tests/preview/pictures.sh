@@ -7,10 +7,27 @@ shot() {
     "$program" preview scenes/box_glass.yaml --photons 20000 --size 480x360 --snapshot "$work/$name.png" "$@" >"$work/$name.log" 2>&1
 }
 
+# rendered PASSES "FLAGS" "FLAGS OF RENDER": the snapshot of a picture is what `photonlab render` makes, but for the camera's rounding.
+rendered() {
+    shot rendered --size 96x96 --bare --render "$1" $2 --code "$objects" || bad "a snapshot --render $1 $2: $(cat "$work/rendered.log")"
+    "$program" render scenes/box_glass.yaml --size 96x96 --photons 20000 $3 --quiet -o "$work/render.png"
+    local difference
+    difference=$(number "$("$program" diff "$work/rendered.png" "$work/render.png" --json)" relmse_all)
+    check "$difference < 3e-5" "a snapshot --render $1 $2: relMSE $difference to render $3"
+}
+
+check_renders() {
+    rendered 1 "" "--samples 1"
+    rendered 1 "--integrator gather" "--samples 1 --integrator gather"
+    rendered 3 "--radii pass" "--passes 3"
+    rendered 3 "--radii pixel" "--passes 3 --radii pixel"
+    rendered 1 "--spectral" "--samples 1 --spectral"
+}
+
 check_pictures() {
     local view
     display_start 640 480
-    for view in points paths lobe screen tree radii spectrum; do
+    for view in points paths lobe screen tree radii spectrum estimates; do
         for context in osmesa egl window; do
             shot "$context" --view $view --split --context $context || bad "$view by $context: $(cat "$work/$context.log")"
         done
@@ -27,6 +44,7 @@ check_pictures() {
     PHOTONLAB_WITHOUT=osmesa,egl shot neither
     [ $? = 1 ] && grep -q 'libosmesa6' "$work/neither.log" && [ ! -e "$work/neither.png" ] &&
         good "with neither: $(cat "$work/neither.log")" || bad "with neither: $(cat "$work/neither.log")"
+    check_renders
     shot again && same "the same bytes again" reference.png again.png
     for flags in "--view nothing" "--colour nothing" "--camera 1,2,3" "--size 10x10" "--angle 95" "--every-save"; do
         shot wrong $flags

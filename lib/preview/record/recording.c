@@ -44,8 +44,8 @@ void recording_free(Recording *recording)
     *recording = (Recording){.photons = NULL};
 }
 
-void lobe_samples_free(LobeSamples *samples)
+void findings_free(Findings *findings)
 {
-    free(samples->items);
-    *samples = (LobeSamples){NULL, 0};
+    free(findings->items);
+    *findings = (Findings){NULL, 0};
 }

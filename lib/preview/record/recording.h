@@ -3,8 +3,18 @@
 #ifndef PHOTONLAB_PREVIEW_RECORDING_H
 #define PHOTONLAB_PREVIEW_RECORDING_H
 
+#include "photons/irradiance.h"
 #include "photons/pass/photon_pass.h"
 #include "steps/steps.h"
+
+// What students' code is run for.
+typedef enum {
+    RUN_PHOTONS,   // a Recording
+    RUN_LOBE,      // Findings: LobeSample…
+    RUN_ESTIMATES, // Findings: IrradianceEstimate…, those that a gathered picture needs
+    RUN_DISKS,     // Findings: ShrinkingDisk…
+    RUN_RENDER     // a picture that comes pass by pass
+} RunKind;
 
 // A photon at rest, and how far it had flown since the light, m: what lets photons appear in order of flight.
 typedef struct {
@@ -65,10 +75,19 @@ typedef struct {
     Vec3 direction;
     float weight;
 } LobeSample;
+
+// Where progressive photon mapping (stage 5) looks for photons, at a pixel of a small picture, pass after pass.
+#define DISK_PASSES 64
 typedef struct {
-    LobeSample *items;
+    Vec3 position, normal;         // a rough surface, seen through the pixel's middle
+    float radius[DISK_PASSES + 1]; // after so many passes, m
+} ShrinkingDisk;
+
+// What a run found that is no photon; items of the type that RunKind names.
+typedef struct {
+    void *items;
     size_t count;
-} LobeSamples;
-void lobe_samples_free(LobeSamples *samples);
+} Findings;
+void findings_free(Findings *findings);
 
 #endif

@@ -17,7 +17,8 @@
 // A picture's tiles and trees take longer than a photon.
 void run_patience(Run *run, double seconds)
 {
-    run->patience = run->request.kind == RUN_RENDER ? 5.0 * seconds : seconds;
+    bool quick = run->request.kind == RUN_PHOTONS || run->request.kind == RUN_LOBE;
+    run->patience = quick ? seconds : 5.0 * seconds;
 }
 
 // To all of its workers, or to one.

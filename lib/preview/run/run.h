@@ -19,14 +19,18 @@ void broker_stop(Broker *broker); // ends the helper and all workers; frees the 
 // From now on runs have at most so many workers; 0: one a core.
 void broker_workers(Broker *broker, int most);
 
-typedef enum { RUN_PHOTONS, RUN_LOBE, RUN_RENDER } RunKind;
+// By which radii passes look for photons: RADII_ALIKE, each pass is a picture by itself. Otherwise they are progressive photon
+// mapping: by step 5.1 from pass to pass, and joined by 5.2, or for each pixel by 5.3 and 5.4.
+typedef enum { RADII_ALIKE, RADII_BY_PASS, RADII_BY_PIXEL, RADII_RULES } RadiiRule;
+extern const char *const radii_rules[RADII_RULES + 1]; // "alike", "pass", "pixel"; ends with NULL
 
 typedef struct {
     RunKind kind;
     const char *code;   // folder of the student's objects; NULL: the reference plays everything
     bool play_is_given; // otherwise step_choice_for_student()
     StepChoice play;
-    bool spectral; // photons of single wavelengths, whatever the choice; the scene's key, too, asks for them where none is given
+    bool
+        spectral; // photons of single wavelengths, whatever the choice; the scene's key, too, asks for them where none is given
     uint64_t seed;
     // RUN_PHOTONS
     long photons;  // to emit
@@ -38,7 +42,10 @@ typedef struct {
     float exponent, angle;
     long samples;
     bool diffuse;
-    // RUN_RENDER: passes of one eye ray a pixel, with `photons` photons each and a seed of its own, until run_free
+    // RUN_RENDER: passes of one eye ray a pixel, with `photons` photons each and a seed of its own
+    Integrator integrator;
+    RadiiRule radii;
+    int passes; // so many and no more; 0: until run_free
     Camera camera;
     int width, height;
 } RunRequest;
@@ -59,7 +66,7 @@ typedef struct Run Run;
 // Starts at once and returns; NULL when the helper is gone or pipes are short.
 Run *run_start(Broker *broker, const RunRequest *request, Error *error);
 // Takes what has come, without waiting. Ends a worker that gave no sign of life for `patience` seconds (2 by default,
-// five times as much for RUN_RENDER; up to three times as much where the worker did not get a processor).
+// five times as much where pictures are made; up to three times as much where the worker did not get a processor).
 RunStatus run_poll(Run *run);
 // Sleeps until something comes or the time is up.
 void run_wait(Run *run, double seconds);
@@ -75,7 +82,8 @@ Recording run_take_recording(Run *run);
 // not known yet.
 bool run_copy_partial(Run *run, Recording *recording);
 
-LobeSamples run_take_lobe(Run *run);
+// Of any other kind but RUN_RENDER.
+Findings run_take_findings(Run *run);
 
 // The mean of the passes that have come so far; owned by the run, and changed by later polls. NULL: none yet; 0 passes:
 // a quick look, a pass of a sixteenth of the pixels blown up. The same seed and passes give the same bytes.

@@ -51,9 +51,11 @@ static void describe_loop(const Run *run, char *what, size_t size)
 {
     RunKind kind = run->request.kind;
     snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", run->patience,
-             kind == RUN_PHOTONS ? "photon"
-             : kind == RUN_LOBE  ? "direction"
-                                 : "part of the picture");
+             kind == RUN_PHOTONS     ? "photon"
+             : kind == RUN_LOBE      ? "direction"
+             : kind == RUN_ESTIMATES ? "batch of estimates"
+             : kind == RUN_DISKS     ? "pass"
+                                     : "part of the picture");
 }
 
 // Filling much memory takes time: patience may end before the memory does. A picture has photons of its own.

@@ -62,7 +62,7 @@ static bool take_picture(Run *run, const Part *part, const char *bytes, size_t s
         return true;
     memcpy(&head, bytes, sizeof head);
     const Colour *pixels = (const Colour *)(const void *)(bytes + sizeof head);
-    if (!head.quick && run->passes % run->part_count != (int)(part - run->parts))
+    if (!head.quick && !head.mean_of && run->passes % run->part_count != (int)(part - run->parts))
         return false;
     if (!run->image.pixels && !image_create(&run->image, run->request.width, run->request.height, NULL)) {
         run->out_of_memory = true;
@@ -72,10 +72,14 @@ static bool take_picture(Run *run, const Part *part, const char *bytes, size_t s
     bool whole = head.width == run->image.width && head.height == run->image.height;
     if (expected != size || head.width < 1 || head.height < 1)
         return true;
-    if (head.quick && run->passes == 0)
+    if (head.quick && run->passes == 0) {
         show_quick(run, &head, pixels);
-    else if (!head.quick && whole)
+    } else if (head.mean_of && whole) {
+        memcpy(run->image.pixels, pixels, size - sizeof head);
+        run->passes = head.mean_of;
+    } else if (!head.quick && whole) {
         add_pass(run, pixels);
+    }
     run->status.news = true;
     return true;
 }
@@ -99,7 +103,7 @@ static bool take_message(Run *run, Part *part, const WireHead *head, const char 
     switch ((WireKind)head->kind) {
     case WIRE_PHOTONS:
     case WIRE_LEGS:
-    case WIRE_SAMPLES:
+    case WIRE_FINDINGS:
         run->out_of_memory = !buffer_add(&part->found[head->kind], bytes, head->bytes) || run->out_of_memory;
         break;
     case WIRE_ALIVE:

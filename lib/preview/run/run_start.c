@@ -10,12 +10,15 @@
 #include <string.h>
 #include <unistd.h>
 
+const char *const radii_rules[RADII_RULES + 1] = {"alike", "pass", "pixel"};
+
 #define PATIENCE   2.0  // s
 #define PER_WORKER 2000 // photons: fewer are not worth a process of their own
 
 static int count_workers(const Broker *broker, const RunRequest *request)
 {
-    if (request->kind == RUN_LOBE)
+    bool in_a_row = request->kind == RUN_RENDER && request->radii != RADII_ALIKE; // a pass needs the one before
+    if (in_a_row || (request->kind != RUN_PHOTONS && request->kind != RUN_RENDER))
         return 1;
     long worth = request->kind == RUN_PHOTONS ? 1 + request->photons / PER_WORKER : MOST_WORKERS;
     return worth < broker->workers ? (int)worth : broker->workers;
@@ -43,7 +46,8 @@ static bool begin(Run *run, Error *error)
 
 Run *run_start(Broker *broker, const RunRequest *request, Error *error)
 {
-    if ((request->kind == RUN_PHOTONS && request->photons < 1) || (request->kind == RUN_LOBE && request->samples < 1) ||
+    if ((request->kind != RUN_LOBE && request->kind != RUN_RENDER && request->photons < 1) ||
+        (request->kind == RUN_LOBE && request->samples < 1) ||
         (request->kind == RUN_RENDER && (request->width < 1 || request->height < 1))) {
         error_set(error, "a run of nothing: photons, samples and sides must be above 0");
         return NULL;

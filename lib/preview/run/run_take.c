@@ -116,14 +116,16 @@ bool run_copy_partial(Run *run, Recording *recording)
     return true;
 }
 
-LobeSamples run_take_lobe(Run *run)
+Findings run_take_findings(Run *run)
 {
-    Buffer *buffer = &run->parts[0].found[WIRE_SAMPLES];
-    LobeSamples samples = {NULL, 0};
-    if (run->status.state != RUN_DONE || run->request.kind != RUN_LOBE)
-        return samples;
-    samples.items = (LobeSample *)(void *)buffer->bytes;
-    samples.count = buffer->size / sizeof *samples.items;
+    static const size_t SIZES[RUN_RENDER] = {[RUN_LOBE] = sizeof(LobeSample),
+                                             [RUN_ESTIMATES] = sizeof(IrradianceEstimate),
+                                             [RUN_DISKS] = sizeof(ShrinkingDisk)};
+    Buffer *buffer = &run->parts[0].found[WIRE_FINDINGS];
+    RunKind kind = run->request.kind;
+    if (run->status.state != RUN_DONE || kind == RUN_PHOTONS || kind == RUN_RENDER)
+        return (Findings){NULL, 0};
+    Findings findings = {buffer->bytes, buffer->size / SIZES[kind]};
     *buffer = (Buffer){NULL, 0, 0};
-    return samples;
+    return findings;
 }

@@ -38,17 +38,17 @@ typedef struct {
 // ---- worker to window, by its pipe: heads, each with this many bytes behind it ----
 
 typedef enum {
-    WIRE_PHOTONS, // RecordedPhoton…
-    WIRE_LEGS,    // PathLeg…
-    WIRE_SAMPLES, // LobeSample…
-    WIRE_ALIVE,   // nothing but the head
-    WIRE_PICTURE, // WirePicture, and its pixels
-    WIRE_BEGUN,   // Recording, of which states and play are known; the first one
-    WIRE_DONE,    // Recording, but for what went before; the last one
-    WIRE_FAILED,  // why it could not begin, in words
-    WIRE_CRASH    // WireCrash; a later one knows more than an earlier
+    WIRE_PHOTONS,  // RecordedPhoton…
+    WIRE_LEGS,     // PathLeg…
+    WIRE_FINDINGS, // items of run_take_findings
+    WIRE_ALIVE,    // nothing but the head
+    WIRE_PICTURE,  // WirePicture, and its pixels
+    WIRE_BEGUN,    // Recording, of which states and play are known; the first one
+    WIRE_DONE,     // Recording, but for what went before; the last one
+    WIRE_FAILED,   // why it could not begin, in words
+    WIRE_CRASH     // WireCrash; a later one knows more than an earlier
 } WireKind;
-#define WIRE_FOUND (WIRE_SAMPLES + 1) // kinds before that are kept, message after message
+#define WIRE_FOUND (WIRE_FINDINGS + 1) // kinds before that are kept, message after message
 
 // Each is a sign of life as well.
 typedef struct {
@@ -60,7 +60,8 @@ typedef struct {
 
 typedef struct {
     int width, height;
-    bool quick; // a small one, to begin with
+    bool quick;  // a small one, to begin with
+    int mean_of; // so many passes; 0: it is one pass
 } WirePicture;
 
 typedef struct {

@@ -135,14 +135,14 @@ static void set_limit(int what, rlim_t most)
     setrlimit(what, &limit);
 }
 
-// A render keeps its own photons; students' code has WORKER_MEMORY_GB beside them.
+// Pictures keep their own photons; students' code has WORKER_MEMORY_GB beside them.
 static void set_limits(const Worker *worker)
 {
     set_limit(RLIMIT_CORE, 0);
     set_limit(RLIMIT_STACK, 8u << 20);
 #if !defined(SANITIZED) // its shadow of the memory is larger than any limit
     rlim_t own = (64u << 20) + (rlim_t)crash_peak_kb() * 1024;
-    if (worker->order->request.kind == RUN_RENDER)
+    if (worker->order->request.kind >= RUN_ESTIMATES)
         own += (rlim_t)worker->order->request.photons * 256;
 #if defined(__linux__)
     set_limit(RLIMIT_DATA, ((rlim_t)WORKER_MEMORY_GB << 30) + own);
@@ -170,6 +170,10 @@ static bool work(Worker *worker, Error *error)
         return worker_photons(worker, error);
     case RUN_LOBE:
         return worker_lobe(worker, error);
+    case RUN_ESTIMATES:
+        return worker_estimates(worker, error);
+    case RUN_DISKS:
+        return worker_disks(worker, error);
     case RUN_RENDER:
         return worker_render(worker, error);
     }

@@ -3,6 +3,7 @@
 #define PHOTONLAB_PREVIEW_WORKER_H
 
 #include "preview/run/wire.h"
+#include "render/render.h"
 
 typedef struct {
     const Scene *scene;
@@ -18,10 +19,17 @@ void worker_run(Worker *worker, int pipe);
 // Parts of worker_run, by kind of request. False with a reason.
 bool worker_photons(Worker *worker, Error *error);
 bool worker_lobe(Worker *worker, Error *error);
-bool worker_render(Worker *worker, Error *error); // goes on until it is killed
+bool worker_estimates(Worker *worker, Error *error);
+bool worker_disks(Worker *worker, Error *error);
+bool worker_render(Worker *worker, Error *error); // of no number of passes: goes on until it is killed
+
+// A picture of this size, with the scene's own settings where the request has none.
+RenderOptions worker_options(const Worker *worker, int width, int height);
 
 // Everything behind one head. Ends the process when the window no longer listens.
 void worker_send(WireKind kind, const void *bytes, size_t size);
+// What the run found: the last message. `bounces`: the most that a photon had met.
+void worker_send_books(Worker *worker, WireKind kind, const PhotonPass *pass, int bounces);
 // In two parts.
 void worker_send_both(WireKind kind, const void *first, size_t first_size, const void *rest, size_t rest_size);
 // Says that something was finished, and how much is now, 0…1 of the part. Cheap: may be called for each path.

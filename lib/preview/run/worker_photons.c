@@ -67,7 +67,7 @@ static void take_leg(void *user, const Photon *photon, const Hit *hit)
         flush(WIRE_LEGS, s->legs, sizeof s->legs[0], &s->leg_count);
 }
 
-static void send_books(Worker *worker, WireKind kind, const PhotonPass *pass, int bounces)
+void worker_send_books(Worker *worker, WireKind kind, const PhotonPass *pass, int bounces)
 {
     Recording books;
     memset(&books, 0, sizeof books);
@@ -106,12 +106,12 @@ bool worker_photons(Worker *worker, Error *error)
         .recorder = &recorder,
     };
     PhotonPass pass = {.emitted = 0};
-    send_books(worker, WIRE_BEGUN, &pass, 0);
+    worker_send_books(worker, WIRE_BEGUN, &pass, 0);
     if (!photon_pass_run(worker->scene, &options, &pass, error))
         return false;
     flush(WIRE_PHOTONS, s.photons, sizeof s.photons[0], &s.photon_count);
     flush(WIRE_LEGS, s.legs, sizeof s.legs[0], &s.leg_count);
-    send_books(worker, WIRE_DONE, &pass, s.bounces);
+    worker_send_books(worker, WIRE_DONE, &pass, s.bounces);
     photon_pass_free(&pass);
     return true;
 }
@@ -139,9 +139,9 @@ bool worker_lobe(Worker *worker, Error *error)
         batch[count++] = draw_sample(request, incoming, normal, i);
         worker_beat((double)(i + 1) / (double)request->samples);
         if (count == BATCH || i + 1 == request->samples)
-            flush(WIRE_SAMPLES, batch, sizeof batch[0], &count);
+            flush(WIRE_FINDINGS, batch, sizeof batch[0], &count);
     }
     PhotonPass none = {.emitted = 0};
-    send_books(worker, WIRE_DONE, &none, 0);
+    worker_send_books(worker, WIRE_DONE, &none, 0);
     return true;
 }

@@ -32,7 +32,8 @@ void view_data_free(ViewData *data)
         free(data->found[i]);
     }
     recording_free(&data->recording);
-    lobe_samples_free(&data->lobe);
+    for (int i = 0; i < RUN_RENDER; i++)
+        findings_free(&data->findings[i]);
     free(data);
 }
 
@@ -75,9 +76,9 @@ const Recording *view_data_recording(const ViewData *data)
     return &data->recording;
 }
 
-void view_data_sample(ViewData *data, LobeSamples samples)
+void view_data_find(ViewData *data, RunKind kind, Findings findings)
 {
-    lobe_samples_free(&data->lobe);
-    data->lobe = samples;
-    data->lobes++;
+    findings_free(&data->findings[kind]);
+    data->findings[kind] = findings;
+    data->finds[kind]++;
 }

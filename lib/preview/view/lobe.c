@@ -52,14 +52,15 @@ static float part_above(float height, float r)
 
 // The samples that have a direction, as photons where it meets the unit sphere; the others are counted and left out. The
 // map makes no use of `packed_wi`: it is the number of the sample.
-static size_t to_photons(const LobeSamples *samples, LobeCounts *counts, StoredPhoton *photons)
+static size_t to_photons(const Findings *samples, LobeCounts *counts, StoredPhoton *photons)
 {
     size_t count = 0;
     *counts = (LobeCounts){0, 0, 0};
+    const LobeSample *items = samples->items;
     for (size_t i = 0; i < samples->count; i++) {
-        Vec3 d = samples->items[i].direction;
+        Vec3 d = items[i].direction;
         float length = vec3_length(d);
-        if (samples->items[i].weight == 0.0f) {
+        if (items[i].weight == 0.0f) {
             counts->absorbed++;
             continue;
         }
@@ -72,7 +73,7 @@ static size_t to_photons(const LobeSamples *samples, LobeCounts *counts, StoredP
     return count;
 }
 
-void lobe_cloud(const Lobe *lobe, const LobeSamples *samples, LobeCounts *counts, Vertices *list)
+void lobe_cloud(const Lobe *lobe, const Findings *samples, LobeCounts *counts, Vertices *list)
 {
     StoredPhoton *photons = malloc((samples->count + 1) * sizeof *photons);
     NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(NEAREST)];
@@ -88,7 +89,7 @@ void lobe_cloud(const Lobe *lobe, const LobeSamples *samples, LobeCounts *counts
         radius2 = fmaxf(radius2, 1e-10f);
         float share = (float)(NEAREST - 1) / (float)samples->count; // without the sample itself
         float density = share / (PI * radius2 * part_above(direction.z, sqrtf(radius2)));
-        float length = vec3_length(samples->items[photon->packed_wi].direction);
+        float length = vec3_length(((const LobeSample *)samples->items)[photon->packed_wi].direction);
         float far_out = fminf(density / lobe->peak, 2.5f) * length;
         Rgba colour = direction.z < 0.0f ? (Rgba){255, 50, 50, 255} : (Rgba){255, 205, 110, 120};
         vertices_point(list, lobe_upright(vec3_scale(direction, far_out)), colour);

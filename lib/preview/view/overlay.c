@@ -133,11 +133,12 @@ void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const
     if (captions->banner && captions->banner[0])
         top = draw_bar(canvas, scale, false, canvas_height(canvas) < 400 ? 4 : 8, (Rgba){255, 235, 230, 255}, RED_PLATE,
                        captions->banner);
-    if (!captions->picture) {
+    bool rendered = captions->pictures[0].rgba;
+    if (!rendered) {
         draw_description(canvas, scale, top, view, yours);
         legend_draw(canvas, view, yours, top);
     }
-    if (view->split && !captions->picture) {
+    if (view->split) {
         float bottom = (float)canvas_height(canvas) - (captions->status ? 38.0f * scale : 4.0f);
         draw_title(canvas, scale, 0.25f * width, bottom, "yours");
         draw_title(canvas, scale, 0.75f * width, bottom, "reference");

@@ -32,6 +32,14 @@ View view_default(const Scene *scene)
     return view;
 }
 
+const char *whose_step(const ViewData *data, const char *id)
+{
+    StepState state = data->recording.states[step_find(id) - step_table];
+    return state == STEP_STUDENT       ? ", yours"
+           : state == STEP_NOT_STARTED ? ", the reference's"
+                                       : ""; // nobody else is there
+}
+
 double wrap(double value, double low, double high)
 {
     if (value < low)
@@ -66,43 +74,42 @@ void pane_draw_cache(const Pane *pane, const Cache *cache, size_t first, size_t 
     vertex_buffer_draw(pane->canvas, &cache->buffer, first, count, &style);
 }
 
-static void pane_draw(const Pane *pane)
+// As large as it fits.
+static void draw_picture(const Pane *pane, const Picture *picture)
+{
+    float columns = (float)picture->columns, rows = (float)picture->rows;
+    float scale = fminf((float)pane->width / columns, (float)pane->height / rows);
+    int across = (int)(scale * columns + 0.5f), down = (int)(scale * rows + 0.5f);
+    canvas_picture(pane->canvas, pane->left + (pane->width - across) / 2, pane->top + (pane->height - down) / 2, across,
+                   down, picture->rgba, picture->columns, picture->rows);
+}
+
+static void pane_draw(const Pane *pane, const Picture *picture)
 {
     const ViewType *type = view_type(pane->view);
+    if (picture->rgba && picture->columns > 0 && picture->rows > 0) {
+        draw_picture(pane, picture);
+        return;
+    }
     if (pane->view->wireframe && type->place == IN_THE_SCENE)
         wireframe_draw(pane, type->wires);
     type->draw(pane);
 }
 
-// As large as it fits.
-static void draw_picture(Canvas *canvas, const Captions *captions)
-{
-    int width = canvas_width(canvas), height = canvas_height(canvas);
-    float columns = (float)captions->picture_columns, rows = (float)captions->picture_rows;
-    float scale = fminf((float)width / columns, (float)height / rows);
-    int across = (int)(scale * columns + 0.5f), down = (int)(scale * rows + 0.5f);
-    canvas_picture(canvas, (width - across) / 2, (height - down) / 2, across, down, captions->picture,
-                   captions->picture_columns, captions->picture_rows);
-}
-
 void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *reference, const Captions *captions)
 {
     int width = canvas_width(canvas), height = canvas_height(canvas);
-    bool split = view->split && reference && !captions->picture;
+    bool split = view->split && reference;
     int half = width / 2;
     Pane pane = {canvas, yours->scene, view, yours, 0, 0, split ? half : width, height, overlay_scale(canvas)};
     canvas_begin(canvas, (Rgba){7, 9, 14, 255});
-    if (captions->picture && captions->picture_columns > 0 && captions->picture_rows > 0) {
-        draw_picture(canvas, captions);
-    } else {
-        pane_draw(&pane);
-        if (split) {
-            pane.data = reference;
-            pane.left = half;
-            pane.width = width - half;
-            pane_draw(&pane);
-            canvas_rectangle(canvas, (float)half - 1, 0, 2, (float)height, (Rgba){110, 120, 140, 255});
-        }
+    pane_draw(&pane, &captions->pictures[0]);
+    if (split) {
+        pane.data = reference;
+        pane.left = half;
+        pane.width = width - half;
+        pane_draw(&pane, &captions->pictures[1]);
+        canvas_rectangle(canvas, (float)half - 1, 0, 2, (float)height, (Rgba){110, 120, 140, 255});
     }
     if (!captions->bare)
         overlay_draw(canvas, view, yours, captions);

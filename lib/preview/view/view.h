@@ -55,9 +55,9 @@ typedef struct {
 typedef struct ViewData ViewData;
 ViewData *view_data_create(Canvas *canvas, const Scene *scene);
 void view_data_free(ViewData *data);
-void view_data_record(ViewData *data, Recording recording); // takes it over
-const Recording *view_data_recording(const ViewData *data); // empty (count 0) at first
-void view_data_sample(ViewData *data, LobeSamples samples); // takes it over
+void view_data_record(ViewData *data, Recording recording);           // takes it over
+const Recording *view_data_recording(const ViewData *data);           // empty (count 0) at first
+void view_data_find(ViewData *data, RunKind kind, Findings findings); // takes them over
 
 typedef struct Pane Pane;
 typedef struct Legend Legend;
@@ -73,7 +73,7 @@ typedef struct {
     } place;
     float wires;                         // IN_THE_SCENE: how bright the scene's wires are, 0…1
     bool in_flight;                      // shows photons on their way: slow light has a meaning
-    bool of_step;                        // shows the lobe's samples, and no photons
+    RunKind shows;                       // RUN_PHOTONS, or the findings that it needs
     ViewSetting settings[MOST_SETTINGS]; // those with a flag; may be none
     void (*draw)(const Pane *pane);
     // Lines about what is shown: "photon 17, bounce 2 of 5, red, 0.0012 W". After `draw`.
@@ -95,14 +95,19 @@ static inline const ViewType *view_type(const View *view)
 View view_default(const Scene *scene);
 #define FRAMING_DEFAULT ((Framing){1.0f, 0.0f, 0.0f})
 
+// A picture, RGBA rows from the top; NULL: none.
+typedef struct {
+    const uint8_t *rgba;
+    int columns, rows;
+} Picture;
+
 // What the text around the picture says.
 typedef struct {
-    const char *status;     // at the bottom: photons, bounces, time, who plays what, last build; NULL: none
-    const char *banner;     // faults, in red at the top; NULL or "": none
-    const char *help;       // lines of keys; shown when view->help
-    const uint8_t *picture; // RGBA rows from the top, shown in place of the photons; NULL: none
-    int picture_columns, picture_rows;
-    bool bare; // nothing but the picture: no text, no bars, no legend
+    const char *status;  // at the bottom: photons, bounces, time, who plays what, last build; NULL: none
+    const char *banner;  // faults, in red at the top; NULL or "": none
+    const char *help;    // lines of keys; shown when view->help
+    Picture pictures[2]; // in place of the photons, yours and the reference's
+    bool bare;           // nothing but the picture: no text, no bars, no legend
 } Captions;
 
 // Draws everything; `reference` is needed for a split view only. Leaves the finished picture in the canvas.

@@ -37,8 +37,9 @@ struct ViewData {
     Canvas *canvas;
     const Scene *scene;
     Recording recording;
-    LobeSamples lobe;
-    int recordings, lobes; // how many there have been: to be part of the keys of what is made of the present one
+    Findings findings[RUN_RENDER];
+    int recordings,
+        finds[RUN_RENDER]; // how many there have been: to be part of the keys of what is made of the present one
     float power;           // W: a bright photon's
     Cache wires, caches[VIEW_COUNT][2]; // each view's own two
     void *found[VIEW_COUNT];            // what each view found out: ViewType.found_size bytes
@@ -64,6 +65,9 @@ void pane_draw_cache(const Pane *pane, const Cache *cache, size_t first, size_t 
 
 void wireframe_draw(const Pane *pane, float strength); // 0…1
 void wireframe_build(const Scene *scene, Vertices *list);
+
+// ", yours": who plays this step.
+const char *whose_step(const ViewData *data, const char *id);
 
 // The value, or the other end of low…high where it is past one.
 double wrap(double value, double low, double high);
@@ -102,7 +106,7 @@ typedef struct {
     size_t absorbed, below, not_unit;
 } LobeCounts;
 // A point for each sample that is up to it, upright.
-void lobe_cloud(const Lobe *lobe, const LobeSamples *samples, LobeCounts *counts, Vertices *list);
+void lobe_cloud(const Lobe *lobe, const Findings *samples, LobeCounts *counts, Vertices *list);
 
 // ---- screen ----
 int screen_busiest(const Scene *scene, const Recording *recording); // −1: there is none

@@ -92,7 +92,8 @@ static void draw(const Pane *pane)
     StepChoice play = data->recording.play;
     Cache *cloud = &data->caches[VIEW_LOBE][CLOUD], *lines = &data->caches[VIEW_LOBE][LINES];
     bool lines_known = cache_is(lines, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy});
-    bool cloud_known = cache_is(cloud, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy, data->lobes});
+    bool cloud_known =
+        cache_is(cloud, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy, data->finds[RUN_LOBE]});
     if (!lines_known || !cloud_known) {
         Lobe lobe = lobe_of(exponent, angle, diffuse, play);
         Vertices list = {.items = NULL};
@@ -100,7 +101,7 @@ static void draw(const Pane *pane)
         add_surface(&lobe, &list);
         cache_fill(data->canvas, lines, &list);
         if (!cloud_known) {
-            lobe_cloud(&lobe, &data->lobe, data->found[VIEW_LOBE], &list);
+            lobe_cloud(&lobe, &data->findings[RUN_LOBE], data->found[VIEW_LOBE], &list);
             cache_fill(data->canvas, cloud, &list);
         }
     }
@@ -114,13 +115,10 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
 {
     const double *settings = view->settings[VIEW_LOBE];
     const LobeCounts *counts = data->found[VIEW_LOBE];
-    size_t count = data->lobe.count;
+    size_t count = data->findings[RUN_LOBE].count;
     bool diffuse = settings[LOBE_DIFFUSE] != 0.0;
     const char *step = diffuse ? "1.3" : data->recording.play.glossy == GLOSSY_PHONG ? "2.4" : "2.3";
-    StepState state = data->recording.states[step_find(step) - step_table];
-    const char *whose = state == STEP_STUDENT       ? ", yours"
-                        : state == STEP_NOT_STARTED ? ", the reference's"
-                                                    : ""; // nobody else is there
+    const char *whose = whose_step(data, step);
     text[0] = '\0';
     if (diffuse)
         text_append(text, size, "diffuse, step %s%s: density cos(theta)/pi", step, whose);
@@ -160,7 +158,7 @@ const ViewType view_lobe = {
             "--angle DEGREES of the mirror direction to the normal, --diffuse\n",
     .arrows = "angle, exponent",
     .place = ON_A_STAND,
-    .of_step = true,
+    .shows = RUN_LOBE,
     .settings =
         {[LOBE_EXPONENT] = {.flag = "exponent", .kind = SETTING_NUMBER, .start = 20, .high = 1e6},
          [LOBE_ANGLE] = {.flag = "angle", .kind = SETTING_NUMBER, .start = 45, .high = 89.9},

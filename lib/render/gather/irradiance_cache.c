@@ -71,6 +71,11 @@ size_t irradiance_cache_count(const IrradianceCache *cache)
     return cache->count;
 }
 
+const IrradianceEstimate *irradiance_cache_at(const IrradianceCache *cache, size_t i)
+{
+    return &cache->estimates[i];
+}
+
 typedef struct {
     int32_t x, y, z;
 } Place;

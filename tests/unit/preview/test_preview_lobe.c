@@ -64,13 +64,14 @@ static Vec3 sample(const Lobe *lobe, StepFault fault, Rng *rng, float *weight)
     return vec3_scale(out, fault == INSIDE_OUT ? -1.0f : fault == TOO_LONG ? 1.3f : 1.0f);
 }
 
-static LobeSamples samples_of(const Lobe *lobe, StepFault fault)
+static Findings samples_of(const Lobe *lobe, StepFault fault)
 {
-    LobeSamples samples = {calloc(SAMPLES, sizeof(LobeSample)), SAMPLES};
-    assert_non_null(samples.items);
+    Findings samples = {calloc(SAMPLES, sizeof(LobeSample)), SAMPLES};
+    LobeSample *items = samples.items;
+    assert_non_null(items);
     for (size_t i = 0; i < SAMPLES; i++) {
         Rng rng = rng_create(11, i);
-        samples.items[i].direction = sample(lobe, fault, &rng, &samples.items[i].weight);
+        items[i].direction = sample(lobe, fault, &rng, &items[i].weight);
     }
     return samples;
 }
@@ -91,7 +92,7 @@ static Distance cloud_distance(size_t setting, StepFault fault)
     Distance distance = {0};
     steps_play(play);
     Lobe lobe = lobe_of(settings[setting].exponent, settings[setting].angle, settings[setting].diffuse, play);
-    LobeSamples samples = samples_of(&lobe, fault);
+    Findings samples = samples_of(&lobe, fault);
     lobe_cloud(&lobe, &samples, &counts, &cloud);
     for (size_t i = 0; i < cloud.count; i++) {
         Vec3 local = vec3(cloud.items[i].x, -cloud.items[i].z, cloud.items[i].y); // up is +y
@@ -106,7 +107,7 @@ static Distance cloud_distance(size_t setting, StepFault fault)
     distance.absorbed = counts.absorbed;
     distance.too_long = counts.not_unit;
     distance.below = counts.below;
-    lobe_samples_free(&samples);
+    findings_free(&samples);
     vertices_free(&cloud);
     return distance;
 }
@@ -143,20 +144,21 @@ TEST(nothing_and_no_number_are_left_out)
     Vertices cloud = {.items = NULL};
     steps_play(PLAY_DEFAULT);
     Lobe lobe = lobe_of(20, 60, false, PLAY_DEFAULT);
-    LobeSamples samples = samples_of(&lobe, RIGHT);
+    Findings samples = samples_of(&lobe, RIGHT);
+    LobeSample *items = samples.items;
     size_t sound = 0;
     for (size_t i = 0; i < SAMPLES; i++) {
         if (i % 10 == 0)
-            samples.items[i].direction = i % 20 ? vec3(NAN, 0, 1) : vec3(0, 0, 0);
+            items[i].direction = i % 20 ? vec3(NAN, 0, 1) : vec3(0, 0, 0);
         else
-            sound += samples.items[i].weight > 0.0f;
+            sound += items[i].weight > 0.0f;
     }
     lobe_cloud(&lobe, &samples, &counts, &cloud);
     assert_int_equal(cloud.count, sound);
     assert_int_equal(counts.not_unit, SAMPLES - counts.absorbed - sound);
     for (size_t i = 0; i < cloud.count; i++)
         assert_true(isfinite(cloud.items[i].x + cloud.items[i].y + cloud.items[i].z));
-    lobe_samples_free(&samples);
+    findings_free(&samples);
     vertices_free(&cloud);
 }
 

@@ -71,7 +71,8 @@ TEST(lobe_is_the_step)
     Run *run = start(&request);
     RunStatus status = finish(run);
     assert_string_equal(status.failure, "");
-    LobeSamples samples = run_take_lobe(run);
+    Findings samples = run_take_findings(run);
+    const LobeSample *items = samples.items;
     assert_int_equal(samples.count, 5000);
     long absorbed = 0;
     Mean along;
@@ -82,16 +83,16 @@ TEST(lobe_is_the_step)
         float weight = 0.0f, angle = 60.0f * PI / 180.0f;
         Vec3 in = vec3(sinf(angle), 0.0f, -cosf(angle));
         bool up = steps.scatter_glossy(in, vec3(0.0f, 0.0f, 1.0f), 20.0f, &rng, &out, &weight);
-        assert_true(samples.items[i].weight == (up ? weight : 0.0f));
+        assert_true(items[i].weight == (up ? weight : 0.0f));
         if (up)
-            assert_memory_equal(&out, &samples.items[i].direction, sizeof out);
+            assert_memory_equal(&out, &items[i].direction, sizeof out);
         absorbed += !up;
         if (up)
-            mean_add(&along, samples.items[i].direction.x);
+            mean_add(&along, items[i].direction.x);
     }
     assert_true(absorbed > 10 && mean_value(&along) > 0.5); // the mirror direction is on the side of +x
     run_free(run);
-    lobe_samples_free(&samples);
+    findings_free(&samples);
 }
 
 TEST(passes_of_a_render)

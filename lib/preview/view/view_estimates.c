@@ -1,0 +1,87 @@
+// Where final gathering (stage 4) makes its estimates of irradiance, as dots and short normals, and how far each reaches, as a
+// circle: where it alone would serve.
+#include "preview/view/view_internal.h"
+
+#include <stdio.h>
+
+enum { CIRCLES };      // settings: drawn
+enum { LINES, DOTS };  // caches
+#define ACCURACY 0.25f // of irradiance_cache: within this part of its reach an estimate serves
+#define NORMAL   0.35f // of the circle's radius
+
+// Of the brightest that nine of ten do not exceed.
+static float full_irradiance(const IrradianceEstimate *estimates, size_t count)
+{
+    float sum = 0.0f;
+    for (size_t i = 0; i < count; i++)
+        sum += colour_max(estimates[i].irradiance);
+    return count ? 2.0f * sum / (float)count : 1.0f;
+}
+
+static bool is_sound(const IrradianceEstimate *e)
+{
+    return e->reach > 0.0f && isfinite(e->reach) && isfinite(vec3_dot(e->position, e->normal));
+}
+
+static void build(ViewData *data)
+{
+    const Findings *found = &data->findings[RUN_ESTIMATES];
+    const IrradianceEstimate *estimates = found->items;
+    float full = full_irradiance(estimates, found->count);
+    Vertices lines = {.items = NULL}, dots = {.items = NULL};
+    for (size_t i = 0; i < found->count; i++) {
+        const IrradianceEstimate *e = &estimates[i];
+        if (!is_sound(e))
+            continue;
+        Frame frame = frame_about(e->normal);
+        Rgba light = rgba_of_power(e->irradiance, full);
+        float radius = ACCURACY * e->reach;
+        vertices_circle(&lines, e->position, frame.tangent, frame.bitangent, radius, rgba_fade(light, 0.6f));
+        vertices_fading(&lines, e->position, vec3_along(e->position, e->normal, NORMAL * radius), light,
+                        rgba_fade(light, 0.0f));
+        vertices_point(&dots, e->position, light);
+    }
+    cache_fill(data->canvas, &data->caches[VIEW_ESTIMATES][LINES], &lines);
+    cache_fill(data->canvas, &data->caches[VIEW_ESTIMATES][DOTS], &dots);
+}
+
+static void draw(const Pane *pane)
+{
+    ViewData *data = pane->data;
+    Cache *lines = &data->caches[VIEW_ESTIMATES][LINES], *dots = &data->caches[VIEW_ESTIMATES][DOTS];
+    if (!cache_is(lines, (const double[KEY_SIZE]){data->finds[RUN_ESTIMATES]}))
+        build(data);
+    pane_look_at_scene(pane);
+    if (pane->view->settings[VIEW_ESTIMATES][CIRCLES] == 0.0)
+        pane_draw_cache(pane, lines, 0, lines->buffer.count, (DrawStyle){.kind = DRAW_LINES});
+    pane_draw_cache(pane, dots, 0, dots->buffer.count, (DrawStyle){.point_size = 1.0f + floorf(2.0f * pane->scale)});
+}
+
+static void describe(const View *view, const ViewData *data, char *text, size_t size)
+{
+    (void)view;
+    const Findings *found = &data->findings[RUN_ESTIMATES];
+    const IrradianceEstimate *estimates = found->items;
+    float least = INFINITY, most = 0.0f;
+    for (size_t i = 0; i < found->count; i++) {
+        least = fminf(least, estimates[i].reach);
+        most = fmaxf(most, estimates[i].reach);
+    }
+    if (data->finds[RUN_ESTIMATES] == 0)
+        snprintf(text, size, "gather rays are on their way");
+    else
+        snprintf(
+            text, size,
+            "%zu estimates of irradiance, step 4.4%s: they reach from %.2g to %.2g m; a circle shows the part where one serves",
+            found->count, whose_step(data, "4.4"), (double)fminf(least, most), (double)most);
+}
+
+const ViewType view_estimates = {
+    .help = "where final gathering estimates irradiance, and how far that serves; --no-circles\n",
+    .place = IN_THE_SCENE,
+    .wires = 0.3f,
+    .shows = RUN_ESTIMATES,
+    .settings = {{.flag = "no-circles", .kind = SETTING_SWITCH, .key = 'v', .words = "circles, or places alone"}},
+    .draw = draw,
+    .describe = describe,
+};
