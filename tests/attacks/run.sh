@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Every attack in this folder as a submission: it must cost its step all points, and leave everything else alone.
 #   run.sh ROOT BUILD JUDGE-COMMAND…        the judge with its flags, but for --code, --step, --work and --report
-# With PHOTONLAB_SANDBOX=uid, as root, on a copy of ROOT and BUILD; words of the
-# command that are or begin with ROOT or BUILD are turned to the copy.
+# As root, with PHOTONLAB_SANDBOX=uid or landlock, on a copy of ROOT and BUILD; words of the command that are or begin with ROOT
+# or BUILD are turned to the copy. Landlock is for those who are not root: the judge becomes nobody for it.
 # ONLY="name name" runs these alone (`beside`: with a right step beside them). An attack is a folder: a step's source, in which @ROOT@, @BUILD@ and @WORK@ become paths
 # (an attacker is to know what an insider knows); or `links`, a line "PATH TARGET" each; and `expect`, "STATUS WORDS": the
 # step's status (or "fail|error" for either), and words of its message.
@@ -36,7 +36,14 @@ copy_closed() {
         esac
     done
 }
-[ "${PHOTONLAB_SANDBOX:-}" != uid ] || copy_closed
+[ "$(id -u)" != 0 ] || case ${PHOTONLAB_SANDBOX:-} in
+uid) copy_closed ;;
+landlock)
+    copy_closed
+    chmod 777 "$work" "$TMPDIR"
+    judge=(setpriv --reuid 65534 --regid 65534 --clear-groups "${judge[@]}")
+    ;;
+esac
 mkdir "$work/neighbour" && cp "$root/solutions/1_diffuse_photon_map/1.1_reflect.c" "$work/neighbour/"
 export PHOTONLAB_HIDDEN=$work/neighbour
 root=$(cd "$root" && pwd)
@@ -52,6 +59,7 @@ submit() {
     local source path target
     rm -rf "$work/code" "$work/run" "$work/report"
     mkdir -p "$work/code" "$work/run"
+    [ "${judge[0]}" != setpriv ] || chmod 777 "$work/run"
     step=1.1
     for source in "$here/$1"/*/*.c; do
         [ -f "$source" ] || continue
@@ -140,6 +148,11 @@ beside() {
     fi
 }
 
+mkdir "$work/code" "$work/run"
+if ! grade --step 1.1 && grep -q 'NO SANDBOX' "$work/out"; then
+    echo "○ $(cat "$work/out")"
+    exit 0
+fi
 for directory in "$here"/*/; do
     name=$(basename "$directory")
     case " ${ONLY:-$name} " in *" $name "*) attack "$name" ;; esac

@@ -9,7 +9,7 @@ check-grader-quick: judge
 check-grader: judge
 	@for part in quick matrix false-verdicts; do bash tests/check_grader.sh $$part || exit; done
 	@mkdir -p $(BUILD)/grader
-	@bash tests/attacks/both.sh $(ATTACKS) >$(BUILD)/grader/attacks.txt; tail -1 $(BUILD)/grader/attacks.txt
+	@bash tests/attacks/everywhere.sh $(ATTACKS) >$(BUILD)/grader/attacks.txt; tail -1 $(BUILD)/grader/attacks.txt
 
 ##maintainer grader-table  what check-grader found, into tests/README.md
 grader-table:

@@ -35,25 +35,38 @@ static void fill_environment(const SandboxRun *run, Words *words)
         words_add(words, "PHOTONLAB_PROBE_SECONDS=%.3f", run->wall_seconds);
 }
 
+// The program where it lies, with all that it sees where that lies.
+static bool add_arguments(const SandboxRun *run, Launch *launch, Error *error)
+{
+    char *program = sandbox_find_program(run->arguments[0]);
+    if (!program)
+        return error_set(error, "%s: no such program", run->arguments[0]);
+    words_add(&launch->arguments, "%s", program);
+    free(program);
+    for (const char *const *word = run->arguments + 1; *word; word++)
+        words_add(&launch->arguments, "%s", *word);
+    for (int i = 0; i < MOST_VISIBLE && run->visible[i]; i++)
+        words_add(&launch->readable, "%s", run->visible[i]);
+    if (run->writable)
+        words_add(&launch->environment, "TMPDIR=%s", run->writable);
+    return true;
+}
+
 static bool prepare(SandboxKind kind, const SandboxRun *run, Launch *launch, Error *error)
 {
-    *launch = (Launch){.filter_fd = -1, .uid_lock = -1};
+    *launch = (Launch){.filter_fd = -1, .ruleset_fd = -1, .uid_lock = -1};
     fill_environment(run, &launch->environment);
-    if (kind != SANDBOX_NONE && (launch->filter_fd = sandbox_filter(run, error)) < 0)
+    if (kind != SANDBOX_NONE && (launch->filter_fd = sandbox_filter(kind, run, error)) < 0)
         return false;
     if (kind == SANDBOX_BUBBLEWRAP && !sandbox_bubblewrap(run, launch, error))
         return false;
     if (kind == SANDBOX_UID && !sandbox_uid_prepare(run, launch, error))
         return false;
-    if (kind == SANDBOX_NONE) {
-        char *program = sandbox_find_program(run->arguments[0]);
-        if (!program)
-            return error_set(error, "%s: no such program", run->arguments[0]);
-        words_add(&launch->arguments, "%s", program);
-        free(program);
-        for (const char *const *word = run->arguments + 1; *word; word++)
-            words_add(&launch->arguments, "%s", *word);
-    }
+    if (kind >= SANDBOX_LANDLOCK && !add_arguments(run, launch, error))
+        return false;
+    if (kind == SANDBOX_LANDLOCK &&
+        !(sandbox_landlock_prepare(run, launch, "", error) && sandbox_filter_read(launch, error)))
+        return false;
     if (launch->arguments.out_of_memory || launch->environment.out_of_memory || launch->readable.out_of_memory)
         return error_set(error, "not enough memory");
     return true;
@@ -65,6 +78,8 @@ static void clear(SandboxKind kind, const SandboxRun *run, Launch *launch)
         sandbox_uid_finish(run, launch);
     if (launch->filter_fd >= 0)
         close(launch->filter_fd);
+    if (launch->ruleset_fd >= 0)
+        close(launch->ruleset_fd);
     free(launch->filter);
     words_free(&launch->arguments);
     words_free(&launch->environment);
@@ -208,7 +223,7 @@ bool sandbox_run(SandboxKind kind, const SandboxRun *run, SandboxResult *result,
 
 const char *sandbox_name(SandboxKind kind)
 {
-    static const char *const names[] = {"bubblewrap", "uid", "none"};
+    static const char *const names[] = {"bubblewrap", "uid", "landlock", "none"};
     return names[kind];
 }
 
@@ -224,23 +239,34 @@ static bool works(SandboxKind kind, Error *error)
     return result.exit_code == 0 || error_set(error, "a trial run failed: %.200s", result.text);
 }
 
+static bool may_work(SandboxKind kind, Error *error)
+{
+    if (kind == SANDBOX_UID && geteuid() != 0)
+        return error_set(error, "only root can run code as another user");
+    if (kind == SANDBOX_LANDLOCK && geteuid() == 0)
+        return error_set(error, "Landlock alone is not for root");
+    if (kind == SANDBOX_LANDLOCK && !sandbox_landlock_is_there(true))
+        return error_set(error, "Landlock that holds signals needs Linux 6.12");
+    return true;
+}
+
 SandboxKind sandbox_open(char *reason, size_t size)
 {
     const char *wanted = getenv("PHOTONLAB_SANDBOX");
     bool any = !wanted || !*wanted;
-    Error bubblewrap = {""}, uid = {""};
     reason[0] = '\0';
-    if ((any || strcmp(wanted, "bubblewrap") == 0) && works(SANDBOX_BUBBLEWRAP, &bubblewrap))
-        return SANDBOX_BUBBLEWRAP;
-    if ((any || strcmp(wanted, "uid") == 0) && geteuid() != 0)
-        error_set(&uid, "only root can run code as another user");
-    else if ((any || strcmp(wanted, "uid") == 0) && works(SANDBOX_UID, &uid))
-        return SANDBOX_UID;
-    snprintf(reason, size, "%s%s%s", bubblewrap.message, bubblewrap.message[0] && uid.message[0] ? "; " : "",
-             uid.message);
+    for (SandboxKind kind = SANDBOX_BUBBLEWRAP; kind < SANDBOX_NONE; kind++) {
+        Error why = {""};
+        if (!any && strcmp(wanted, sandbox_name(kind)) != 0)
+            continue;
+        if (may_work(kind, &why) && works(kind, &why))
+            return kind;
+        size_t used = strlen(reason);
+        snprintf(reason + used, size - used, "%s%s", used ? "; " : "", why.message);
+    }
     if (!any && strcmp(wanted, "none") == 0)
         snprintf(reason, size, "PHOTONLAB_SANDBOX=none asks for it");
     else if (!any && !reason[0])
-        snprintf(reason, size, "PHOTONLAB_SANDBOX=%.60s: expected bubblewrap, uid or none", wanted);
+        snprintf(reason, size, "PHOTONLAB_SANDBOX=%.60s: expected bubblewrap, uid, landlock or none", wanted);
     return SANDBOX_NONE;
 }

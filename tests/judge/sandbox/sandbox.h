@@ -10,11 +10,12 @@
 
 typedef enum {
     SANDBOX_BUBBLEWRAP, // namespaces: sees only what it is shown
-    SANDBOX_UID,        // as root without bubblewrap: a user of its own, no_new_privs, seccomp
+    SANDBOX_UID,        // as root without bubblewrap: a user of its own, seccomp, and Landlock where the kernel has it
+    SANDBOX_LANDLOCK,   // neither: opens what it is shown by Landlock, seccomp
     SANDBOX_NONE        // limits only; no grading for credit
 } SandboxKind;
 
-// Picks the best there is on this machine (environment PHOTONLAB_SANDBOX=bubblewrap|uid|none asks for one of them). For
+// Picks the best there is on this machine (environment PHOTONLAB_SANDBOX=bubblewrap|uid|landlock|none asks for one of them). For
 // SANDBOX_NONE, `reason` says why, in words for the person at the terminal; otherwise it is empty.
 SandboxKind sandbox_open(char *reason, size_t size);
 const char *sandbox_name(SandboxKind kind); // "bubblewrap", …

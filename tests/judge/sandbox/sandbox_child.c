@@ -19,7 +19,7 @@
 #include <unistd.h>
 
 // Descriptors of the child, before it becomes the program.
-enum { RESULT_FD = 3, FILTER_FD = 4, COMPLAINT_FD = 5, FIRST_OTHER_FD = 6 };
+enum { RESULT_FD = 3, RULES_FD = 4, COMPLAINT_FD = 5, FIRST_OTHER_FD = 6 };
 
 void words_add(Words *words, const char *format, ...)
 {
@@ -98,9 +98,9 @@ static void complain(const char *what, const char *path)
 }
 
 // Puts descriptors in their places. Moved out of the way first, since they may stand in each other's.
-static void place_descriptors(int out, int result, int filter, int complaint)
+static void place_descriptors(int out, int result, int rules, int complaint)
 {
-    const int wanted[] = {-1, out, out, result, filter, complaint};
+    const int wanted[] = {-1, out, out, result, rules, complaint};
     int moved[FIRST_OTHER_FD];
     for (int i = 0; i < FIRST_OTHER_FD; i++)
         moved[i] = wanted[i] < 0 ? -1 : fcntl(wanted[i], F_DUPFD, 16);
@@ -131,7 +131,9 @@ void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launc
     sigprocmask(SIG_SETMASK, &none, NULL);
     for (int number = 1; number < 32; number++)
         signal(number, SIG_DFL);
-    place_descriptors(out, run->result_fd, kind == SANDBOX_BUBBLEWRAP ? launch->filter_fd : -1, complaint);
+    // bubblewrap reads its filter there; otherwise it is Landlock's, and gone after it.
+    place_descriptors(out, run->result_fd, kind == SANDBOX_BUBBLEWRAP ? launch->filter_fd : launch->ruleset_fd,
+                      complaint);
     set_limits(kind, run);
     if (chdir("/") != 0)
         complain("cannot enter /", "");
@@ -143,7 +145,9 @@ void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launc
         path = launch->arguments.list[0];
     }
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (kind == SANDBOX_UID && !sandbox_filter_enter(launch))
+    if (launch->ruleset_fd >= 0 && !sandbox_landlock_enter(RULES_FD))
+        complain("Landlock's rules are refused", "");
+    if ((kind == SANDBOX_UID || kind == SANDBOX_LANDLOCK) && !sandbox_filter_enter(launch))
         complain("the filter of system calls is refused", "");
     // "Text file busy": another thread's child holds the copy open for writing until its own exec, a moment later.
     for (int attempt = 0; attempt < 500; attempt++) {

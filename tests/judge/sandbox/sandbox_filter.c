@@ -98,20 +98,22 @@ static bool fill_for_probe(scmp_filter_ctx filter, long memory_mb)
            seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, SCMP_SYS(mmap), 1, &other) == 0;
 }
 
-static bool fill_for_compiler(scmp_filter_ctx filter)
+static bool fill_for_compiler(SandboxKind kind, scmp_filter_ctx filter)
 {
+    // Without a user or processes of its own, its group is what is ended with it: nobody leaves it.
+    const char *leaving = kind == SANDBOX_LANDLOCK ? "setsid setpgid" : "";
     const struct scmp_arg_cmp new_user = SCMP_CMP64(0, SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER);
     const struct scmp_arg_cmp outlive = SCMP_CMP64(0, SCMP_CMP_EQ, PR_SET_PDEATHSIG, 0);
-    return rule_for_all(filter, SCMP_ACT_ERRNO(EPERM), never) &&
+    return rule_for_all(filter, SCMP_ACT_ERRNO(EPERM), never) && rule_for_all(filter, SCMP_ACT_ERRNO(EPERM), leaving) &&
            seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prctl), 1, &outlive) == 0 &&
            seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0) ==
                0 && // the C library then takes clone
            seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1, &new_user) == 0;
 }
 
-static int export_filter(const SandboxRun *run, scmp_filter_ctx filter)
+static int export_filter(SandboxKind kind, const SandboxRun *run, scmp_filter_ctx filter)
 {
-    if (!(run->compiler ? fill_for_compiler(filter) : fill_for_probe(filter, run->memory_mb)))
+    if (!(run->compiler ? fill_for_compiler(kind, filter) : fill_for_probe(filter, run->memory_mb)))
         return -1;
     int fd = memfd_create("filter", MFD_CLOEXEC);
     if (fd >= 0 && (seccomp_export_bpf(filter, fd) != 0 || lseek(fd, 0, SEEK_SET) != 0)) {
@@ -121,14 +123,14 @@ static int export_filter(const SandboxRun *run, scmp_filter_ctx filter)
     return fd;
 }
 
-int sandbox_filter(const SandboxRun *run, Error *error)
+int sandbox_filter(SandboxKind kind, const SandboxRun *run, Error *error)
 {
     int fd = -1;
 #pragma omp critical(sandbox_filter)
     { // the library does not say whether several threads may use it
         scmp_filter_ctx filter = seccomp_init(run->compiler ? SCMP_ACT_ALLOW : SCMP_ACT_ERRNO(ENOSYS));
         if (filter)
-            fd = export_filter(run, filter);
+            fd = export_filter(kind, run, filter);
         if (filter)
             seccomp_release(filter);
     }

@@ -20,6 +20,7 @@ void words_free(Words *words);
 typedef struct {
     Words arguments, environment;
     int filter_fd;             // bubblewrap reads the filter from here; −1: none
+    int ruleset_fd;            // what Landlock lets it open; −1: anything
     void *filter;              // SANDBOX_UID: the filter's instructions, loaded by the child itself
     size_t filter_size;        // bytes
     uid_t uid;                 // also its group; 0: stays who it is
@@ -43,7 +44,7 @@ typedef struct {
 void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launch, int out, int complaint);
 
 // A seccomp filter as instructions of the kernel's, in a file without a name. −1 with a reason.
-int sandbox_filter(const SandboxRun *run, Error *error);
+int sandbox_filter(SandboxKind kind, const SandboxRun *run, Error *error);
 
 // The filter loaded from filter_fd into memory.
 bool sandbox_filter_read(Launch *launch, Error *error);
@@ -52,6 +53,13 @@ bool sandbox_filter_enter(const Launch *launch);
 
 // Arguments of bwrap around those of the run.
 bool sandbox_bubblewrap(const SandboxRun *run, Launch *launch, Error *error);
+
+// Is Landlock in this kernel? Alone it has to keep signals in as well, which it can since Linux 6.12.
+bool sandbox_landlock_is_there(bool alone);
+// Launch's ruleset: the system's programs, what is readable, and the folder where `writable` lies, "" where nothing is.
+bool sandbox_landlock_prepare(const SandboxRun *run, Launch *launch, const char *folder, Error *error);
+// In the child: from here on the rules hold. False: errno.
+bool sandbox_landlock_enter(int ruleset);
 
 // A free uid, and a folder with copies of what is visible but closed to others.
 bool sandbox_uid_prepare(const SandboxRun *run, Launch *launch, Error *error);

@@ -1,10 +1,11 @@
 // The sandbox, from both sides: this program runs itself in it, as `test_sandbox --inside WHAT`, and looks what comes of it.
-//   test_sandbox [bubblewrap|uid|none]…     the kinds to try; all that there are
+//   test_sandbox [bubblewrap|uid|landlock|none]     the kind to try; all that there are. As root, Landlock is tried as nobody.
 #define _GNU_SOURCE // memfd_create, syscall
-#include "judge/sandbox/sandbox.h"
+#include "judge/sandbox/sandbox_parts.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <grp.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -15,12 +16,13 @@
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmocka.h>
 
-static char self[4096], folder[256], secret[300], open_file[300];
+static char self[300], folder[256], secret[300], open_file[300], public_file[300];
 
 // ---- inside ----
 
@@ -48,6 +50,13 @@ static int can_read(const char *path)
 {
     int fd = open(path, O_RDONLY);
     return fd >= 0 ? 1 : 0;
+}
+
+static int can_read_command_line(void)
+{
+    char path[64];
+    snprintf(path, sizeof path, "/proc/%d/cmdline", (int)getppid());
+    return can_read(path);
 }
 
 static int go_on_behind(void)
@@ -81,6 +90,10 @@ static int inside(const char *what, const char *path)
                    : 1;
     if (strcmp(what, "read") == 0)
         return can_read(path);
+    if (strcmp(what, "command line") == 0)
+        return can_read_command_line();
+    if (strcmp(what, "signal") == 0)
+        return syscall(SYS_tgkill, getppid(), getppid(), 0) == 0;
     if (strcmp(what, "environment") == 0)
         return getenv("PHOTONLAB_TEST_LEAK") ? 1 : 0;
     if (strcmp(what, "root") == 0)
@@ -245,9 +258,15 @@ static const Case confined[] = {
     {"ends a probe at: fork", "fork", NULL, -1, SIGSYS, NULL, {0}},
     {"ends a probe at: write", "write", NULL, -1, SIGSYS, NULL, {0}},
     {"ends a probe at: huge", "huge", NULL, -1, SIGSYS, NULL, {0}},
+    {"lets nobody else be signalled", "signal", NULL, 0, 0, NULL, {0}},
     {"gives a compiler no socket, but lets it live", "socket", NULL, 0, 0, NULL, {.compiler = true}},
     {"lets a compiler fork", "fork", NULL, 1, 0, NULL, {.compiler = true}},
+    // A user of its own sees these where the kernel has no Landlock.
+    {"hides what all others may read", "read", public_file, 0, 0, NULL, {0}},
+    {"hides it from a compiler", "read", public_file, 0, 0, NULL, {.compiler = true}},
+    {"hides others' command lines", "command line", NULL, 0, 0, NULL, {0}},
 };
+#define BY_LANDLOCK 3
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
@@ -267,11 +286,29 @@ static int test_kind(void)
     };
     bool none = kind == SANDBOX_NONE;
     size_t count = none ? 2 : 4; // the last two are about a sandbox
-    for (size_t i = 0; i < COUNT(everywhere) + (none ? 0 : COUNT(confined)); i++) {
+    size_t without = kind == SANDBOX_UID && !sandbox_landlock_is_there(false) ? BY_LANDLOCK : 0;
+    for (size_t i = 0; i < COUNT(everywhere) + (none ? 0 : COUNT(confined) - without); i++) {
         const Case *c = i < COUNT(everywhere) ? &everywhere[i] : &confined[i - COUNT(everywhere)];
         tests[count++] = (struct CMUnitTest){.name = c->name, .test_func = one_case, .initial_state = (void *)c};
     }
     return _cmocka_run_group_tests(sandbox_name(kind), tests, count, NULL, NULL);
+}
+
+#define NOBODY 65534
+
+// From its beginning, as threads do not go on in a child.
+static int test_as_nobody(void)
+{
+    int state = 1;
+    fflush(stdout);
+    pid_t child = fork();
+    if (child == 0) {
+        if (setgroups(0, NULL) == 0 && setgid(NOBODY) == 0 && setuid(NOBODY) == 0)
+            execl(self, self, sandbox_name(SANDBOX_LANDLOCK), (char *)NULL);
+        _exit(3);
+    }
+    waitpid(child, &state, 0);
+    return state != 0;
 }
 
 static void write_file(const char *path, mode_t mode)
@@ -287,21 +324,29 @@ int main(int count, char **arguments)
         return inside(arguments[2], arguments[3]);
     if (count > 4)
         return 2;
-    ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
+    char copy[1024];
     snprintf(folder, sizeof folder, "/tmp/photonlab-test-XXXXXX");
-    if (length <= 0 || !mkdtemp(folder) || chmod(folder, 0755) != 0)
+    if (!mkdtemp(folder) || chmod(folder, 0755) != 0)
+        return 3;
+    // Where every user can start it, wherever the checkout lies.
+    snprintf(self, sizeof self, "%s/test_sandbox", folder);
+    snprintf(copy, sizeof copy, "cp /proc/%d/exe %s && chmod 755 %s", (int)getpid(), self, self);
+    if (system(copy) != 0)
         return 3;
     snprintf(secret, sizeof secret, "%s/secret", folder);
     snprintf(open_file, sizeof open_file, "%s/open", folder);
     write_file(secret, 0600);
+    snprintf(public_file, sizeof public_file, "%s/public", folder);
     write_file(open_file, 0644);
+    write_file(public_file, 0644);
     setenv("PHOTONLAB_TEST_LEAK", "1", 1);
     int failed = 0;
     for (kind = SANDBOX_BUBBLEWRAP; kind <= SANDBOX_NONE; kind++)
         if (count == 1 || strcmp(arguments[1], sandbox_name(kind)) == 0)
-            failed += test_kind();
-    unlink(secret);
-    unlink(open_file);
+            failed += kind == SANDBOX_LANDLOCK && geteuid() == 0 ? test_as_nobody() : test_kind();
+    const char *const made[] = {self, secret, open_file, public_file};
+    for (size_t i = 0; i < COUNT(made); i++)
+        unlink(made[i]);
     rmdir(folder);
     return failed > 0;
 }
