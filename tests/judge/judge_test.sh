@@ -154,6 +154,10 @@ table() {
 }
 table "step 1.2" "step 1.2 2" 0 "8.57 of 8.57 points"
 table "step 1.2" "step 1.2 6 hidden" 0 "1 hidden step is graded, too"
+table "step 1.2" "step 1.2 6 hidden
+stage 1 due $(date +%Y-%m-%d)" 0 "1 hidden step is graded, too"
+table "step 1.2" "step 1.2 6 hidden
+stage 1 due $(date -d yesterday +%Y-%m-%d)" 0 "✓ 1.2"
 table "step 1.2" "# none" 2 "no line for step 1.2"
 table "none" "step 1.1 5" 2 "each step once"
 table "none" "step 9.9 5" 2 "a step that there is"

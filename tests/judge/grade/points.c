@@ -3,13 +3,14 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #define MOST_STAGES 16
 #define FAR_OFF     2.0 // times the threshold of T
 
 // The table as its lines say it, before weights become points.
 typedef struct {
-    double total, picture, stages, weight[STEP_COUNT], stage_weight[MOST_STAGES];
+    double total, picture, stages, late_per_day, late_most, weight[STEP_COUNT], stage_weight[MOST_STAGES];
     bool given[STEP_COUNT];
     char due[MOST_STAGES][16];
 } Lines;
@@ -82,6 +83,16 @@ static bool stage_line(char **rest, Lines *lines, const char **expected)
     return true;
 }
 
+// late PERCENT [most PERCENT]
+static bool late_line(char **rest, Lines *lines)
+{
+    lines->late_most = 100.0;
+    if (!number(rest, 0.0, 100.0, &lines->late_per_day))
+        return false;
+    const char *word = strtok_r(NULL, " \t", rest);
+    return !word || (strcmp(word, "most") == 0 && number(rest, 0.0, 100.0, &lines->late_most));
+}
+
 static bool read_line(char *line, Lines *lines, PointsTable *table, const char **expected)
 {
     char *rest;
@@ -98,10 +109,13 @@ static bool read_line(char *line, Lines *lines, PointsTable *table, const char *
     *expected = "a percentage from 0 to 100 behind `picture`";
     if (strcmp(word, "picture") == 0)
         return number(&rest, 0.0, 100.0, &lines->picture);
+    *expected = "late PERCENT [most PERCENT], each from 0 to 100, e.g. `late 10 most 50`";
+    if (strcmp(word, "late") == 0)
+        return late_line(&rest, lines);
     *expected = "how many stages there are to be behind `stages`, e.g. `stages 3`";
     if (strcmp(word, "stages") == 0)
         return number(&rest, 1.0, STAGE_COUNT, &lines->stages);
-    *expected = "a line that begins with step, stage, stages, total or picture";
+    *expected = "a line that begins with step, stage, stages, late, total or picture";
     return false;
 }
 
@@ -122,6 +136,8 @@ static bool weights_to_points(const char *path, const Lines *lines, PointsTable 
     for (int i = 0; i < STEP_COUNT; i++)
         table->points[i] *= lines->total / sum;
     table->picture_share = lines->picture / 100.0;
+    table->late_per_day = lines->late_per_day / 100.0;
+    table->late_most = lines->late_most / 100.0;
     return true;
 }
 
@@ -169,11 +185,20 @@ static double share_of(const PointsTable *table, const StepResult *result)
     return share;
 }
 
+// Dates are compared as text, in the machine's own time; the due date is the last day on which a hidden step is hidden.
+static bool is_past(const char *due)
+{
+    char today[16];
+    time_t now = time(NULL);
+    strftime(today, sizeof today, "%Y-%m-%d", localtime(&now));
+    return *due && strcmp(today, due) > 0;
+}
+
 void points_give(const PointsTable *table, StepResult *result)
 {
     size_t i = (size_t)(result->step - step_table);
     result->points_max = table->points[i];
     result->points = table->points[i] * share_of(table, result);
-    result->hidden = table->hidden[i];
+    result->hidden = table->hidden[i] && !is_past(table->due[i]);
     memcpy(result->due, table->due[i], sizeof result->due);
 }

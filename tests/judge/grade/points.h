@@ -9,12 +9,15 @@ typedef struct {
     bool hidden[STEP_COUNT];
     char due[STEP_COUNT][16]; // "2026-12-01" or empty
     double picture_share;     // of a step's points: what hangs on its picture alone, 0…1
+    double late_per_day,
+        late_most; // of a stage's points, for each day after its due date and in all, 0…1; `make class`
+                   // takes them off, as it knows when work was handed in
 } PointsTable;
 
 // False with "file:line: …" in the error.
 bool points_read(const char *path, PointsTable *table, Error *error);
 
-// Fills in result->points, points_max, hidden and due from the statuses.
+// Fills in result->points, points_max, hidden and due from the statuses. After its due date no step is hidden any more.
 void points_give(const PointsTable *table, StepResult *result);
 
 #endif
