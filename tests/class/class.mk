@@ -11,7 +11,7 @@ endif
 ## submit  your work in one archive, build/submit/: [NAME=you] [FORCE=1]
 submit: export PHOTONLAB_NAME = $(NAME)
 submit: export PHOTONLAB_FORCE = $(FORCE)
-submit:
+submit: $(if $(filter 1,$(FORCE)),judge)
 	@bash tests/class/submit.sh
 
 ## update  a newer photonlab; your work stays: make update FROM=photonlab-2.tar.gz

@@ -79,6 +79,7 @@ check_submit() {
     says "3.2 still calls todo" "$work/said" "submit: says that a step still counts as not started"
     ok "submit: no archive of what does not compile" not ls "$tree/build/submit/"*
     (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_FORCE=1 bash tests/class/submit.sh) >"$work/said" 2>&1
+    says '^[0-9.]* of [0-9.]* points' "$work/said" "submit: and says what it gets"
     archive=$(ls "$tree"/build/submit/*.tar.gz)
     says "$(find "$root/exercises/.stubs" -name '*.c' | wc -l) files, 2 steps started" "$work/said" "submit: FORCE=1 takes it, and counts"
     check "$(tar -tzf "$archive" | grep -cvE '^exercises/[1-9]_[a-z_]*/[1-9]\.[1-9][0-9]*_[a-z_]*\.c$') == 0" \
