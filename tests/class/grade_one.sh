@@ -40,9 +40,18 @@ hash_of_content() {
         sha256sum | cut -c1-64
 }
 
+# What ran out of time is not paid for again, unless there is more time.
 is_done() {
-    [ -z "$REGRADE" ] && [ -n "$key" ] && grep -qsF "\"key\": \"$key\"" "$OUT/$name/graded.json" &&
+    [ -z "$REGRADE" ] && grep -qsF -e "\"key\": \"$key\"" -e "\"key\": \"$key in $SECONDS_EACH s\"" "$OUT/$name/graded.json" &&
         [ "$(tail -c 2 "$OUT/$name/report.json" 2>/dev/null)" = "}" ]
+}
+
+# Seconds since 1970: when its newest file was. Canvas does not say: there it is in time, or unknown.
+handed_in() {
+    case $submission in
+    */.parts/loose/*) [[ $name =~ ^[^_]+(_LATE)?_[0-9]+$ || $name =~ anon_ ]] && echo 0 && return ;;
+    esac
+    find "$submission" ! -type d -printf '%T@\n' 2>/dev/null | sort -n | tail -1 | grep -o '^[0-9]*' || echo 0
 }
 
 points() {
@@ -54,9 +63,9 @@ finish() {
     local seconds old
     seconds=$(awk -v a="$started" -v b="$EPOCHREALTIME" \
         'BEGIN { gsub(",", ".", a); gsub(",", ".", b); printf "%.2f", b - a }')
-    printf '{"name": "%s", "status": "%s", "message": "%s", "key": "%s", "seconds": %s}\n' \
+    printf '{"name": "%s", "status": "%s", "message": "%s", "key": "%s", "submitted": %s, "seconds": %s}\n' \
         "$(printf %s "$name" | json_text)" \
-        "$1" "$(printf %s "$2" | json_text)" "$3" "$seconds" >"$part/graded.json.new"
+        "$1" "$(printf %s "$2" | json_text)" "$3" "$(handed_in)" "$seconds" >"$part/graded.json.new"
     mv "$part/graded.json.new" "$part/graded.json"
     chmod 755 "$part"
     old=$(mktemp -d "$OUT/.parts/old.XXXXXX")
@@ -83,8 +92,9 @@ fi
 
 # What the judge has come to: its report has zero points before it begins, and grows with every step.
 write_reports() {
-    [ -x "$BUILD/write_reports" ] && "$BUILD/write_reports" --teacher "$part" >/dev/null 2>"$work/report" ||
+    [ -x "$BUILD/write_reports" ] && timeout -k 5 120 "$BUILD/write_reports" --teacher "$part" >/dev/null 2>"$work/report" ||
         cat "$work/report" >&2
+    rm -rf "$part/pictures" # they are in the page
 }
 
 cd "$work/in" || exit 1
@@ -99,7 +109,7 @@ case $? in
 124 | 137)
     write_reports
     left=$(grep -o '"message": "grading did not get this far"' "$part/report.json" | wc -l)
-    finish "partly graded" "the $SECONDS_EACH s for grading ran out before $left steps$(sed 's/^/; /' "$work/note")" ""
+    finish "partly graded" "the $SECONDS_EACH s for grading ran out before $left steps$(sed 's/^/; /' "$work/note")" "$key in $SECONDS_EACH s"
     ;;
 *) finish "not graded" "$(tail -1 "$work/why" | grep . || echo "the judge broke down")" "" ;;
 esac

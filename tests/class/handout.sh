@@ -11,6 +11,7 @@ with=${PHOTONLAB_WITH_SOLUTIONS:-}
 [ "$with" = 1 ] || with=""
 [ -n "$(ls solutions/*/*.c 2>/dev/null)" ] ||
     { echo "handout: there are no solutions here to build the reference from" >&2; exit 2; }
+"$PHOTONLAB_BUILD/class_table" --points "${PHOTONLAB_POINTS:-tests/judge/points.txt}" || exit 2
 version=$(framework_version)
 mkdir -p "$PHOTONLAB_OUT" || exit 2
 work=$(mktemp -d "$PHOTONLAB_OUT/.making.XXXXXX") || exit 2

@@ -6,10 +6,10 @@ CLASS_TABLE  = $(BUILD)/class_table
 $(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack/*.c)) $(LIBRARY)
 	$(call link,-larchive)
 
-$(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) $(REPORT_WORDS)) $(LIBRARY)
+$(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) tests/judge/grade/points.c $(REPORT_WORDS)) $(LIBRARY)
 	$(call link,-ljansson)
 
-.PHONY: class handout gradescope class-tools check-class class-trial
+.PHONY: class class-slurm handout gradescope class-tools check-class class-trial class-slurm-trial
 
 # What run_autograder compiles students' code with, where there is no make around it.
 $(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
@@ -18,27 +18,30 @@ $(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
 
 class-tools: $(BUILD)/class_flags.sh judge $(WRITE_REPORTS) $(CLASS_UNPACK) $(CLASS_TABLE)
 
-##teacher class  grade a class: [SALT=secret] make class DIR=submissions [ROSTER=roster.csv] [OUT=build/class] [REGRADE=1] [PARALLEL_FLAGS=…]
-class: export PHOTONLAB_DIR = $(DIR)
-class: export PHOTONLAB_ROSTER = $(ROSTER)
-class: export PHOTONLAB_COLUMN = $(COLUMN)
-class: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/class)
-class: export PHOTONLAB_REGRADE = $(REGRADE)
-class: export PHOTONLAB_PARALLEL_FLAGS = $(PARALLEL_FLAGS)
-class: class-tools
-	$(if $(filter command,$(origin SALT)),$(error What stands behind `make`, students' code can read. Before it: SALT=secret make class))
-	@bash tests/class/class.sh
+##teacher class  grade a class: [SALT=secret] make class DIR=submissions [ROSTER=roster.csv] [FORMAT=moodle] [OUT=build/class] [REGRADE=1]
+##teacher class-slurm  the same by a Slurm cluster, in parts: … make class-slurm DIR=submissions [SHARDS=64] …
+class class-slurm: export PHOTONLAB_DIR = $(DIR)
+class class-slurm: export PHOTONLAB_ROSTER = $(ROSTER)
+class class-slurm: export PHOTONLAB_COLUMN = $(COLUMN)
+class class-slurm: export PHOTONLAB_FORMAT = $(FORMAT)
+class class-slurm: export PHOTONLAB_GRADE = $(GRADE)
+class class-slurm: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/class)
+class class-slurm: export PHOTONLAB_REGRADE = $(REGRADE)
+class class-slurm: export PHOTONLAB_PARALLEL_FLAGS = $(PARALLEL_FLAGS)
+class class-slurm: class-tools
+	$(if $(filter command,$(origin SALT)),$(error What stands behind `make`, students' code can read. Before it: SALT=secret make $@))
+	@bash tests/class/$(subst -,_,$@).sh $(SHARDS)
 
 ##teacher handout  the students' archive: make handout [OUT=build/handout] [WITH_SOLUTIONS=1] [VERSION=2]
 handout: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/handout)
 handout: export PHOTONLAB_VERSION = $(VERSION)
 handout: export PHOTONLAB_WITH_SOLUTIONS = $(WITH_SOLUTIONS)
-handout: all
+handout: all $(CLASS_TABLE)
 	@bash tests/class/handout.sh
 
 ##teacher gradescope  the autograder for Gradescope: make gradescope [OUT=build/gradescope] [SALT=secret]
 gradescope: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/gradescope)
-gradescope:
+gradescope: $(CLASS_TABLE)
 	@bash tests/class/gradescope.sh
 
 ##check beside check-class  submitting, updating, grading a small class, handout, autograder
@@ -48,3 +51,7 @@ check-class: class-tools meshes
 ##check long class-trial  200 submissions made of known answers, with a kill half-way
 class-trial: class-tools
 	@bash tests/class/trial.sh
+
+##check long class-slurm-trial  make class-slurm on a cluster of this one machine
+class-slurm-trial: class-tools
+	@bash tests/class/slurm_trial.sh

@@ -16,6 +16,7 @@ says() { # says PATTERN FILE TEXT
 }
 
 . "$here/test_handout.sh"
+. "$here/test_courses.sh"
 
 # Weights of its own: those in tests/judge/points.txt are for teachers to change.
 export PHOTONLAB_POINTS=$work/points.txt
@@ -58,7 +59,7 @@ make_odd() {
     cp "$solved/$reflect" "$odd/beside/"
     put_step "$odd/two/exercises" && { echo "int x;" && cat "$solved/$turn"; } >"$odd/two/old/2.2_turn_to.c"
     cp "$solved/$reflect" "$odd/capital/1.1_reflect.C" && echo "int x;" >"$odd/capital/helper.c"
-    put_step "$odd/linked" && ln -s "$root/solutions/$reflect" "$odd/linked/1.1_reflect.c"
+    put_step "$odd/linked" && echo "int emit_photon(" >"$odd/linked/1.2_emit_photon.c" && ln -s "$root/solutions/$reflect" "$odd/linked/1.1_reflect.c"
     put_step "$odd/late" && cp "$odd"/capital/1.1* "$odd/late/1.1_reflect.c"
     local loop # three steps that wait for ever take longer than the time that is given below
     for loop in 2_glossy_lobe/2.3_scatter_glossy_source_text 2_glossy_lobe/2.4_scatter_glossy_phong 3_colour_dispersion/3.1_refract; do
@@ -66,30 +67,38 @@ make_odd() {
             s/todo(.*/for (;;) poll(NULL, 0, -1);/' "$root/exercises/.stubs/$loop.c" >"$odd/late/${loop#*/}.c"
     done
     put_step "$odd/new"$'\n'"line"
-    echo "int x;" >"$odd/judy.c" && printf 'id\nnobody\n' >"$odd/roster.csv"
+    echo "int x;" >"$odd/judy.c" && printf 'id\ndoe\nnobody\n' >"$odd/roster.csv"
     cp "$solved/$reflect" "$odd/doe_12345_1.1_reflect.c" && cp "$solved/$turn" "$odd/doe_12346_2.2_turn_to-1.c"
 }
 
 check_odd() {
     make_odd
-    PHOTONLAB_DIR=$work/odd PHOTONLAB_OUT=$work/odd-out PHOTONLAB_SECONDS_EACH=12 \
-        PHOTONLAB_SALT=pepper PHOTONLAB_ROSTER=$work/odd/roster.csv PHOTONLAB_PARALLEL_FLAGS="-j 3" \
-        bash "$here/class.sh" >"$work/odd-out-said" 2>&1 &&
-        bad "odd: exit code 0 with work that was not graded"
+    grade_odd() {
+        PHOTONLAB_DIR=$work/odd PHOTONLAB_OUT=$work/odd-out PHOTONLAB_SECONDS_EACH=12 \
+            PHOTONLAB_SALT=pepper PHOTONLAB_ROSTER=$work/odd/roster.csv PHOTONLAB_PARALLEL_FLAGS="-j 3" \
+            bash "$here/class.sh" >"$work/odd-out-said" 2>&1
+    }
+    grade_odd && bad "odd: exit code 0 with work that was not graded"
     holds_row beside ',graded,no,4,100,.*the empty step; yours was taken' "a started file wins over the empty one"
     holds_row two 'not graded,no,0,100,.*2.2 is started both in `exercises.*` and in `old/2.2_turn_to.c`' "which of two"
     holds_row capital ',graded,no,4,.*helper.c is not called like a step' "1.1_reflect.C; helper.c is named"
     holds_row linked ',graded,no,5,.*1.1_reflect.c is a link' "a link is named"
     holds_row judy 'unreadable,no,0,100,.*a file alone' "a loose file has a row"
-    holds_row doe ',graded,no,9,100,' "files flat in the folder become a submission"
+    in_table odd-out '^doe,' '^doe,doe,graded,yes,9,100,' "odd: files flat in the folder become a submission"
     holds_row late 'partly graded,no,9,100,.*12 s for grading ran out before [1-9]' "what was graded in time counts"
+    says '1 partly graded, as 12 s ran out' "$work/odd-out-said" "odd: and is named"
     grep -q 'SALT=pepper' "$work/odd-out/.parts/.config" && grep -qa '^,new line,graded' "$work/odd-out/class.csv" &&
         good "odd: a name of two lines" || bad "odd: $(cat "$work/odd-out-said")"
     says 'half below' "$work/odd-out/index.html" "odd: the page tells how points are spread"
-    check "$(grep -c 'href="[^"]*/index.html"' "$work/odd-out/index.html") == \
+    check "$(grep -c 'href="[^"]*/index.html".*<td class=m' "$work/odd-out/index.html") == \
         $(ls "$work/odd-out/"*/index.html | grep -c '^/')" \
         "odd: it leads to every report"
     ok "odd: the report of what was graded in time" test -f "$work/odd-out/late/index.html"
+    says '<td>1.2<td>it does not compile<td><a href="linked/index.html">linked</a>' "$work/odd-out/index.html" \
+        "odd: how a step broke off, and whose"
+    says '<b>1</b> it does not compile' "$work/odd-out/lecture.html" "odd: and in the lecture, without a name"
+    grade_odd
+    says '\] kept .* late' "$work/odd-out-said" "odd: what ran out of time is not paid for again"
 }
 
 holds_row() { in_table odd-out "^,$1," "$2" "odd: $3"; }
@@ -236,10 +245,10 @@ all)
     cat "$work/odd-lines"
     passed=$((passed + $(grep -c '^✓' "$work/odd-lines")))
     failed=$((failed + $(grep -c '^✗' "$work/odd-lines")))
-    check "$(grep -c '^[✓✗]' "$work/odd-lines") == 11" "odd: all of it was tried"
-    check_class; check_languages; check_gradescope
+    check "$(grep -c '^[✓✗]' "$work/odd-lines") == 15" "odd: all of it was tried"
+    check_class; check_roster; check_canvas; check_moodle; check_languages; check_gradescope
     ;;
-odd | class | languages) "check_$1" ;;
+odd | class | roster | canvas | moodle | languages) "check_$1" ;;
 gradescope) check_handout; check_submit; make_odd; check_gradescope ;;
 *) check_handout; "check_$1" ;;
 esac

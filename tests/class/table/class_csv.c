@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #define MOST_CSV (64u << 20)
 
@@ -85,12 +86,23 @@ static bool read_rows(Csv *csv, char *at, const char *path, Error *error)
 bool csv_read(const char *path, Csv *csv, Error *error)
 {
     size_t size;
-    *csv = (Csv){file_read(path, MOST_CSV, &size, error), NULL, 0, 0};
+    *csv = (Csv){.bytes = file_read(path, MOST_CSV, &size, error)};
     if (!csv->bytes)
         return false;
     if (strlen(csv->bytes) != size)
         return error_set(error, "%s: holds a zero byte; is it a CSV in UTF-8?", path);
-    return read_rows(csv, csv->bytes + (strncmp(csv->bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0), path, error);
+    csv->marked = strncmp(csv->bytes, MARK, 3) == 0;
+    return read_rows(csv, csv->bytes + (csv->marked ? 3 : 0), path, error);
+}
+
+bool csv_find(const Csv *csv, const char *title, size_t *column)
+{
+    for (size_t c = 0; c < csv->columns; c++)
+        if (strcasecmp(csv_cell(csv, 0, c), title) == 0) {
+            *column = c;
+            return true;
+        }
+    return false;
 }
 
 const char *csv_cell(const Csv *csv, size_t row, size_t column)
@@ -126,5 +138,5 @@ void csv_free(Csv *csv)
 {
     free(csv->cells);
     free(csv->bytes);
-    *csv = (Csv){NULL, NULL, 0, 0};
+    *csv = (Csv){.bytes = NULL};
 }

@@ -41,8 +41,10 @@ static void write_bins(FILE *stream, const double *points, size_t count, double 
     fputs("</table>\n", stream);
 }
 
-void page_write_spread(FILE *stream, const TableRow *rows, size_t count)
+void page_write_spread(FILE *stream, const Table *table)
 {
+    const TableRow *rows = table->rows;
+    size_t count = table->count;
     double *points = malloc((count + 1) * sizeof *points);
     size_t graded = 0;
     for (size_t r = 0; points && r < count; r++)

@@ -27,7 +27,14 @@ static void read_step(const json_t *json, Student *student)
     student->steps[i].points = number_of(json, "points");
     copy_text(json, "status", student->steps[i].status, sizeof student->steps[i].status);
     copy_text(json, "mistake", student->steps[i].mistake, sizeof student->steps[i].mistake);
-    copy_text(json, "looks_like", student->steps[i].looks_like, sizeof student->steps[i].looks_like);
+    // What broke off says how; of what is wrong the likely mistake is told, by its short name where there is no sentence.
+    bool broke = strcmp(student->steps[i].status, status_table[STATUS_ERROR].name) == 0;
+    copy_text(json, broke ? "message" : "looks_like", student->steps[i].said, sizeof student->steps[i].said);
+    char *line = broke ? strstr(student->steps[i].said, ", line ") : NULL; // each has another, and all mean the same
+    if (line)
+        *line = '\0';
+    if (!*student->steps[i].said)
+        copy_text(json, "mistake", student->steps[i].said, sizeof student->steps[i].said);
     if (step->stage >= 1 && step->stage <= STAGE_COUNT)
         student->stage_points[step->stage - 1] += student->steps[i].points;
 }
@@ -38,7 +45,6 @@ static void read_report(const json_t *report, Student *student)
     json_t *step;
     json_array_foreach(json_object_get(report, "steps"), i, step) read_step(step, student);
     student->points = number_of(report, "points");
-    student->points_max = number_of(report, "points_max");
 }
 
 void student_read(const char *directory, const char *name, Student *student)
@@ -52,6 +58,7 @@ void student_read(const char *directory, const char *name, Student *student)
     copy_text(graded, "status", student->status, sizeof student->status);
     copy_text(graded, "message", student->message, sizeof student->message);
     student->seconds = number_of(graded, "seconds");
+    student->submitted = (time_t)number_of(graded, "submitted");
     json_decref(graded);
     snprintf(path, sizeof path, "%.3000s/%.900s/report.json", directory, name);
     json_t *report = json_load_file(path, 0, NULL);
@@ -68,21 +75,6 @@ size_t student_count(const Student *student, const char *status)
     for (size_t i = 0; i < STEP_COUNT; i++)
         count += strcmp(student->steps[i].status, status) == 0;
     return count;
-}
-
-void student_set_total(const char *directory, Student *students, size_t count, Student *absent, size_t rows)
-{
-    char path[4200];
-    snprintf(path, sizeof path, "%.4000s/.parts/total/report.json", directory);
-    json_t *report = json_load_file(path, 0, NULL);
-    double total = number_of(report, "points_max");
-    for (size_t i = 0; i < count && !report; i++)
-        total = students[i].points_max > total ? students[i].points_max : total;
-    for (size_t i = 0; i < count; i++)
-        students[i].points_max = total;
-    for (size_t i = 0; i < rows; i++)
-        absent[i].points_max = total;
-    json_decref(report);
 }
 
 void student_mistakes(const Student *student, char *text, size_t size)

@@ -1,63 +1,45 @@
-// class_table OUT LIST [ROSTER [COLUMN]]: OUT/class.csv and OUT/index.html from the reports in OUT. LIST holds the
-// submissions' names, each with a 0 byte behind it. The roster's column COLUMN (unset: the first called id, login,
-// email or name) is compared with the names.
+// The program: reads what is told, orders the rows, writes all files.
 #include "class/table/class_table.h"
+#include "base/command_line.h"
 #include "base/file.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
-static bool find_column(const Csv *roster, const char *wanted, size_t *column, Error *error)
-{
-    static const char *const usual[] = {"id", "login", "email", "name"};
-    for (size_t c = 0; c < roster->columns; c++) {
-        const char *title = csv_cell(roster, 0, c);
-        bool found = wanted && strcasecmp(title, wanted) == 0;
-        for (size_t i = 0; i < sizeof usual / sizeof *usual && !wanted; i++)
-            found = found || strcasecmp(title, usual[i]) == 0;
-        if (found) {
-            *column = c;
-            return true;
-        }
-    }
-    return error_set(error, "the roster has no column `%s`", wanted ? wanted : "id, login, email or name");
-}
-
-// Course systems put more behind the name: Doe Jane_123456_assignsubmission_file.
-static bool is_same(const char *cell, const char *name, bool exactly)
-{
-    size_t length = exactly ? strlen(name) : strcspn(name, "_");
-    return *cell && strlen(cell) == length && strncasecmp(cell, name, length) == 0;
-}
-
-static Student *find_student(Student *students, size_t count, const char *cell)
-{
-    for (int exactly = 1; exactly >= 0; exactly--)
-        for (size_t i = 0; i < count; i++)
-            if (is_same(cell, students[i].name, exactly) && (exactly || !students[i].in_roster))
-                return &students[i];
-    return NULL;
-}
+static const char help[] =
+    "usage: class_table [flags] [OUT LIST]\n"
+    "\n"
+    "Makes OUT/class.csv, index.html and lecture.html of the reports in OUT. LIST holds the submissions' names, each with a 0\n"
+    "byte behind it. Without OUT only the points table is read, to see whether it is right.\n"
+    "\n"
+    "  --points FILE    what steps are worth, and when they are due (tests/judge/points.txt)\n"
+    "  --roster FILE    a CSV with a row for each student\n"
+    "  --column NAME    its column that has the submissions' names; unset: the one that has most of them\n"
+    "  --format NAME    moodle or canvas: OUT/NAME.csv, the roster with grades, as the course system takes it\n"
+    "  --grade NAME     its column for the grades; unset: the only one there is\n"
+    "  --notes PATH     where the course notes lie, seen from OUT\n"
+    "  --pictures PATH  the folder with the gallery's pictures\n";
 
 // The roster's rows first, then whoever is not in it.
-static size_t order_rows(const Csv *roster, size_t column, Student *students, size_t count, Student *absent,
-                         TableRow *rows)
+static void order_rows(Table *table, Student *students, size_t count, Student *absent)
 {
-    size_t used = 0;
-    for (size_t r = 1; roster && r < roster->rows; r++) {
-        Student *student = find_student(students, count, csv_cell(roster, r, column));
-        if (student)
-            student->in_roster = true;
-        else
-            absent[r] = (Student){.name = "", .status = "no submission", .message = "no submission", .in_roster = true};
-        rows[used++] = (TableRow){student ? student : &absent[r], r};
+    const Roster *roster = &table->roster;
+    double total = 0.0;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        total += table->points.points[i];
+    for (size_t r = 1; r < roster->csv.rows; r++) {
+        if (!roster_is_student(roster, r))
+            continue;
+        absent[r] = (Student){
+            .name = "", .status = "no submission", .message = "no submission", .in_roster = true, .points_max = total};
+        table->rows[table->count++] = (TableRow){roster->of[r] ? &students[roster->of[r] - 1] : &absent[r], r};
     }
-    for (size_t i = 0; i < count; i++)
-        if (!roster || !students[i].in_roster)
-            rows[used++] = (TableRow){&students[i], 0};
-    return used;
+    for (size_t i = 0; i < count; i++) {
+        students[i].points_max = total;
+        if (!students[i].in_roster)
+            table->rows[table->count++] = (TableRow){&students[i], 0};
+    }
 }
 
 static void write_head(FILE *stream, const Csv *roster)
@@ -69,7 +51,9 @@ static void write_head(FILE *stream, const Csv *roster)
         fprintf(stream, ",stage_%d", i);
     for (size_t i = 0; i < STEP_COUNT; i++)
         fprintf(stream, ",%s", step_table[i].id);
-    fputs(",passed,failed,errors,not_started,skipped,likely_mistakes,message,seconds\n", stream);
+    fputs(
+        ",passed,failed,errors,not_started,skipped,submitted,days_late,late_penalty,likely_mistakes,message,seconds\n",
+        stream);
 }
 
 static void write_points(FILE *stream, double points)
@@ -80,7 +64,7 @@ static void write_points(FILE *stream, double points)
 static void write_row(FILE *stream, const Csv *roster, const TableRow *row)
 {
     const Student *s = row->student;
-    char mistakes[2048];
+    char mistakes[2048], time[40];
     for (size_t c = 0; roster && c < roster->columns; c++)
         csv_write(stream, row->roster_row ? csv_cell(roster, row->roster_row, c) : "", c == 0);
     csv_write_text(stream, s->name, !roster);
@@ -95,79 +79,106 @@ static void write_row(FILE *stream, const Csv *roster, const TableRow *row)
         write_points(stream, s->steps[i].points);
     for (size_t i = 0; i < STATUSES; i++)
         fprintf(stream, ",%zu", student_count(s, status_table[i].name));
+    strftime(time, sizeof time, "%Y-%m-%d %H:%M", localtime(&s->submitted));
+    csv_write(stream, s->submitted ? time : "", false);
+    fprintf(stream, ",%.0f", s->late);
+    write_points(stream, s->penalty);
     student_mistakes(s, mistakes, sizeof mistakes);
     csv_write_text(stream, mistakes, false);
     csv_write_text(stream, s->message, false);
     fprintf(stream, ",%.1f\n", s->seconds);
 }
 
-void table_write_csv(FILE *stream, const Csv *roster, const TableRow *rows, size_t count)
+static void write_csv(FILE *stream, const Table *table)
 {
+    const Csv *roster = table->roster.csv.rows > 0 ? &table->roster.csv : NULL;
     write_head(stream, roster);
-    for (size_t r = 0; r < count; r++)
-        write_row(stream, roster, &rows[r]);
+    for (size_t r = 0; r < table->count; r++)
+        write_row(stream, roster, &table->rows[r]);
 }
 
-typedef void Writer(FILE *stream, const Csv *roster, const TableRow *rows, size_t count);
-
-static bool write_to(const char *directory, const char *name, Writer *write, const Csv *roster, const TableRow *rows,
-                     size_t count, Error *error)
+static bool write_to(const char *directory, const char *name, TableWriter *write, const Table *table, Error *error)
 {
     char path[4200];
     FileWriter writer;
     snprintf(path, sizeof path, "%.4000s/%s", directory, name);
     if (!file_write_begin(&writer, path, error))
         return false;
-    write(writer.stream, roster, rows, count);
+    write(writer.stream, table);
     return file_write_end(&writer, true, error);
 }
 
-static size_t read_students(const char *directory, const char *names, size_t size, Student **students)
+static Student *read_students(const char *directory, const char *names, size_t size, size_t *count)
 {
-    size_t count = 0;
+    *count = 0;
     for (size_t i = 0; i < size; i++)
-        count += names[i] == '\0';
-    *students = calloc(count + 1, sizeof **students);
-    for (size_t i = 0; *students && i < count; i++, names += strlen(names) + 1)
-        student_read(directory, names, &(*students)[i]);
-    return *students ? count : 0;
+        *count += names[i] == '\0';
+    Student *students = calloc(*count + 1, sizeof *students);
+    for (size_t i = 0; students && i < *count; i++, names += strlen(names) + 1)
+        student_read(directory, names, &students[i]);
+    return students;
 }
 
-static bool run(char **arguments, int count, Error *error)
+typedef struct {
+    const char *points, *roster, *column, *grade, *notes, *pictures, *files[2];
+    Choice format;
+} Arguments;
+
+static const char *const formats[] = {"plain", "moodle", "canvas", NULL}; // in the order of RosterKind
+
+static bool write_all(const Arguments *a, const Table *table, Error *error)
 {
-    Csv roster = {NULL, NULL, 0, 0};
-    size_t column = 0, size;
-    bool ok = count < 4 || (csv_read(arguments[3], &roster, error) &&
-                            find_column(&roster, count > 4 ? arguments[4] : NULL, &column, error));
-    char *names = ok ? file_read(arguments[2], 64u << 20, &size, error) : NULL;
-    Student *students = NULL;
-    size_t submissions = names ? read_students(arguments[1], names, size, &students) : 0;
-    Student *absent = calloc(roster.rows + 2, sizeof *absent);
-    TableRow *rows = calloc(roster.rows + submissions + 1, sizeof *rows);
-    const Csv *used = count > 3 ? &roster : NULL;
-    ok = names && ((students && absent && rows) || error_set(error, "no memory"));
-    size_t lines = ok ? order_rows(used, column, students, submissions, absent, rows) : 0;
+    char name[40];
+    snprintf(name, sizeof name, "%s.csv", formats[a->format.chosen]);
+    return write_to(a->files[0], "class.csv", write_csv, table, error) &&
+           write_to(a->files[0], "index.html", page_write, table, error) &&
+           write_to(a->files[0], "lecture.html", lecture_write, table, error) &&
+           (a->format.chosen == ROSTER_PLAIN || write_to(a->files[0], name, grades_write, table, error));
+}
+
+static bool run(const Arguments *a, Table *table, Error *error)
+{
+    size_t size, count = 0;
+    RosterKind kind = (RosterKind)a->format.chosen;
+    if (a->roster && !roster_read(a->roster, &table->roster, error))
+        return false;
+    if (kind != ROSTER_PLAIN && !grades_find(&table->roster, kind, a->grade, &table->grades, error))
+        return false;
+    char *names = file_read(a->files[1], 64u << 20, &size, error);
+    Student *students = names ? read_students(a->files[0], names, size, &count) : NULL;
+    Student *absent = calloc(table->roster.csv.rows + 1, sizeof *absent);
+    table->rows = calloc(table->roster.csv.rows + count + 1, sizeof *table->rows);
+    bool ok = names && ((students && absent && table->rows) || error_set(error, "no memory")) &&
+              (!a->roster || roster_match(&table->roster, a->roster, a->column, students, count, error));
+    for (size_t i = 0; ok && i < count; i++)
+        student_set_late(&students[i], &table->points);
     if (ok)
-        student_set_total(arguments[1], students, submissions, absent, roster.rows + 1);
-    ok = ok && write_to(arguments[1], "class.csv", table_write_csv, used, rows, lines, error) &&
-         write_to(arguments[1], "index.html", page_write, used, rows, lines, error);
-    free(rows);
+        order_rows(table, students, count, absent);
+    ok = ok && write_all(a, table, error);
     free(absent);
     free(students);
     free(names);
-    csv_free(&roster);
     return ok;
 }
 
 int main(int count, char **arguments)
 {
-    if (count < 3 || count > 5) {
-        fprintf(stderr, "usage: class_table OUT LIST [ROSTER [COLUMN]]\n");
-        return 2;
-    }
+    Arguments a = {.format = {formats, ROSTER_PLAIN}};
+    const Flag flags[] = {{"points", FLAG_TEXT, &a.points, 0, 0},    {"roster", FLAG_TEXT, &a.roster, 0, 0},
+                          {"column", FLAG_TEXT, &a.column, 0, 0},    {"format", FLAG_CHOICE, &a.format, 0, 0},
+                          {"grade", FLAG_TEXT, &a.grade, 0, 0},      {"notes", FLAG_TEXT, &a.notes, 0, 0},
+                          {"pictures", FLAG_TEXT, &a.pictures, 0, 0}};
+    int wrong = command_line_parse(&(CommandLine){"class_table", help, "OUT and LIST", flags, FLAG_COUNT(flags), 0, 2},
+                                   count, arguments, a.files);
+    if (wrong)
+        return wrong == HELP_SHOWN ? 0 : wrong;
+    Table table = {.notes = a.notes, .pictures = a.pictures};
     Error error = {""};
-    if (run(arguments, count, &error))
-        return 0;
-    fprintf(stderr, "class_table: %s\n", error.message);
-    return 1;
+    bool ok = points_read(a.points ? a.points : "tests/judge/points.txt", &table.points, &error) &&
+              (!a.files[1] || run(&a, &table, &error));
+    free(table.rows);
+    roster_free(&table.roster);
+    if (!ok)
+        fprintf(stderr, "class_table: %s\n", error.message);
+    return ok ? 0 : 1;
 }

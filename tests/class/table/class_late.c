@@ -1,0 +1,41 @@
+// What being late costs: the points of each stage shrink by its own due date.
+#include "base/text.h"
+#include "class/table/class_table.h"
+
+#include <math.h>
+#include <string.h>
+
+#define DAY 86400.0
+
+// The first moment after the day: a submission in its last minute is in time.
+static time_t end_of(const char *due)
+{
+    struct tm day = {.tm_isdst = -1};
+    strptime(due, "%Y-%m-%d", &day);
+    day.tm_mday++;
+    day.tm_isdst = -1;
+    return mktime(&day);
+}
+
+void student_set_late(Student *student, const PointsTable *points)
+{
+    if (points->late_per_day > 0.0 && student->submitted == 0 && strstr(student->name, "LATE_"))
+        text_append(student->message, sizeof student->message,
+                    "%sCanvas says that it is late, not by how much; a column `submitted` in the roster would",
+                    *student->message ? "; " : "");
+    if (student->submitted == 0 || points->late_per_day <= 0.0)
+        return;
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        int stage = step_table[i].stage - 1;
+        if ((i > 0 && step_table[i - 1].stage == step_table[i].stage) || !*points->due[i])
+            continue; // a stage has one due date, which all of its steps have
+        double days = ceil(difftime(student->submitted, end_of(points->due[i])) / DAY);
+        if (days <= 0.0)
+            continue;
+        double off = student->stage_points[stage] * fmin(days * points->late_per_day, points->late_most);
+        student->stage_points[stage] -= off;
+        student->points -= off;
+        student->penalty += off;
+        student->late = fmax(student->late, days);
+    }
+}

@@ -1,0 +1,110 @@
+# What course systems hand out and take in; lateness; parts of a class. To be sourced by test_class.sh.
+
+reflect=1_diffuse_photon_map/1.1_reflect.c
+
+# grade FOLDER NAME=VALUE…: a class of $work/FOLDER, its output beside.
+grade() {
+    local class=$1
+    shift
+    env PHOTONLAB_DIR="$work/$class" PHOTONLAB_OUT="$work/$class-out" PHOTONLAB_PARALLEL_FLAGS="-j 2" "$@" \
+        bash "$here/class.sh" >"$work/$class-out-said" 2>&1
+}
+
+same_file() { # same_file GOT TEXT, what is expected comes in
+    if diff - "$1" >"$work/differs"; then good "$2"; else bad "$2: $(cat "$work/differs")"; fi
+}
+
+# Files flat in a folder: the gradebook's ID stands in their names, "LATE" where it was; two are called the same.
+check_canvas() {
+    local in=$work/canvas
+    mkdir -p "$in" "$work/x/roe" && put_step "$work/x/roe/exercises"
+    cp "$solved/$reflect" "$in/doejane_4711_98_1.1_reflect-1.c"
+    cp "$solved/$turn" "$in/doejane_4714_99_2.2_turn_to.c"
+    cp "$solved/$turn" "$in/ohararae_LATE_4712_100_2.2_turn_to.c"
+    tar -czf "$in/roezoë_4713_101_zoe-2026-11-30.tar-1.gz" -C "$work/x/roe" exercises
+    cat >"$work/gradebook.csv" <<'END'
+Student,ID,SIS User ID,SIS Login ID,Section,Essay (5),photonlab (77),Final Score
+,,,,,Manual Posting,,
+    Points Possible,,,,,10.00,20.00,(read only)
+"Doe, Jane",4714,s4,jane2,A,3,,15
+"Doe, Jane",4711,s1,jane,A,3,,15
+"O'Hara, Rae",4712,s2,rae,A,,7,
+"Roe, Zoë",4713,s3,zoe,B,,,
+"Nobody, Nora",4799,s9,nora,B,,,
+END
+    grade canvas PHOTONLAB_ROSTER="$work/gradebook.csv" PHOTONLAB_FORMAT=canvas &&
+        bad "canvas: takes any of two assignments"
+    says "2 assignments; say which: GRADE=" "$work/canvas-out-said" "canvas: which assignment?"
+    printf '%s\n' 'late 10' | cat "$PHOTONLAB_POINTS" - >"$work/late.txt"
+    grade canvas PHOTONLAB_ROSTER="$work/gradebook.csv" PHOTONLAB_FORMAT=canvas PHOTONLAB_GRADE="photonlab (77)" \
+        PHOTONLAB_POINTS="$work/late.txt" ||
+        bad "canvas: $(cat "$work/canvas-out-said")"
+    same_file "$work/canvas-out/canvas.csv" "canvas: its gradebook comes back with that column alone" <<'END'
+Student,ID,SIS User ID,SIS Login ID,Section,photonlab (77)
+"    Points Possible",,,,,20.00
+"Doe, Jane",4714,s4,jane2,A,1.00
+"Doe, Jane",4711,s1,jane,A,0.80
+"O'Hara, Rae",4712,s2,rae,A,1.00
+"Roe, Zoë",4713,s3,zoe,B,1.00
+"Nobody, Nora",4799,s9,nora,B,0.00
+END
+    in_table canvas-out 4712 'Canvas says that it is late' "canvas: who is late, and that nobody knows by how much"
+    check "$(grep -c . "$work/canvas-out/class.csv") == 6" "canvas: rows that are no student's are none of the table"
+}
+
+# One zip of folders that begin with a name and the worksheet's number; the worksheet says when each was handed in.
+check_moodle() {
+    local in=$work/x/moodle name
+    for name in "Jane Doe_815" "Jane Doe_816" "Ann B_817"; do
+        mkdir -p "$in/${name}_assignsubmission_file" "$in/${name}_assignsubmission_onlinetext"
+        cp "$solved/$reflect" "$in/${name}_assignsubmission_file/"
+        echo hello >"$in/${name}_assignsubmission_onlinetext/onlinetext.html"
+    done
+    (cd "$in" && zip -qr "$work/moodle" .) && mv "$work/moodle.zip" "$work/moodle"
+    sheet() { # sheet GRADE GRADE GRADE GRADE
+        printf '\357\273\277%s,%s\n' 'Identifier,"Full name","Email address",Status,Grade,"Maximum Grade"' \
+            '"Grade can be changed","Last modified (submission)","Last modified (grade)","Feedback comments"'
+        printf '"Participant %s","%s",%s,"%s",%s,%s,%s,"%s",-,\n' \
+            816 "Jane Doe" j@x.org "Submitted for grading" "$1" 50.00 Yes "Monday, 30 November 2026, 2:14 PM" \
+            815 "Jane Doe" jd@x.org "Submitted for grading" "$2" 50.00 Yes "Saturday, 28 November 2026, 11:59 PM" \
+            817 "Ann B" a@x.org "Submitted for grading" "$3" 50.00 No "Sunday, 27 December 2026, 12:00 AM" \
+            818 "No One" n@x.org "No submission" "$4" 50.00 Yes -
+    }
+    sheet "" "" 11 "" >"$work/worksheet.csv"
+    printf '%s\n' 'stage 1 due 2026-11-28' 'late 10 most 50' | cat "$PHOTONLAB_POINTS" - >"$work/late.txt"
+    grade moodle PHOTONLAB_ROSTER="$work/worksheet.csv" PHOTONLAB_FORMAT=moodle PHOTONLAB_POINTS="$work/late.txt" ||
+        bad "moodle: $(cat "$work/moodle-out-said")"
+    # 4 points of 100; two days late, in the last minute, far too late and not to be changed, nothing.
+    sheet 1.60 2.00 11 0.00 | sed '1!s/"\(Identifier\|[^",]*\)"/\1/g' >"$work/expected"
+    sed '1!s/"\([^",]*\)"/\1/g; 1s/"//g' "$work/moodle-out/moodle.csv" >"$work/got"
+    sed -i '1s/"//g' "$work/expected"
+    same_file "$work/got" "moodle: its worksheet comes back, late days taken off; what is locked stays" <"$work/expected"
+    in_table moodle-out 816 ',2026-11-30 14:14,2,0.8,' "moodle: when, days late, points lost"
+    in_table moodle-out 817 '^Participant 817,.*,graded,yes,2,100,.*,28,2,' "moodle: never more than most"
+}
+
+check_roster() {
+    mkdir -p "$work/roster" && put_step "$work/roster/doe" && put_step "$work/roster/roe" && put_step "$work/roster/poe"
+    printf 'id,login\n1,dough\n2,row\n' >"$work/others.csv"
+    printf 'id,group,mail\n1,1,doe@x.org\n2,1,row@x.org\n' >"$work/few.csv"
+    grade roster PHOTONLAB_ROSTER="$work/others.csv"
+    check "$? == 2" "roster: one that knows nobody is an error"
+    says 'no column has the name of a submission in it, `doe` say' "$work/roster-out-said" "roster: which says so"
+    PHOTONLAB_DIR=$work/roster PHOTONLAB_OUT=$work/roster-out PHOTONLAB_ROSTER=$work/few.csv \
+        bash "$here/class.sh" plan >"$work/roster-out-said" 2>&1
+    says 'few.csv knows only 1 of 3 submissions, by its column `mail`. Not in it: `poe`, `roe`' "$work/roster-out-said" \
+        "roster: the column that matches most; a warning when few do"
+    # The same in two parts, as a cluster does it, the second twice.
+    for part in 1/2 2/2 2/2; do bash "$here/class.sh" grade "$work/roster-out" $part; done >"$work/parts" 2>&1
+    check "$(grep -c '\] graded' "$work/parts") == 3 && $(grep -c '\] kept' "$work/parts") == 1" \
+        "parts: a part again keeps what it has"
+    bash "$here/class.sh" close "$work/roster-out" >"$work/roster-out-said" 2>&1
+    says '3 submissions, 3 with a result' "$work/roster-out-said" "parts: one table of all"
+    printf 'stage 1 due 2026-02-30\n' | cat "$PHOTONLAB_POINTS" - >"$work/typo.txt"
+    local what
+    for what in handout gradescope; do
+        PHOTONLAB_POINTS=$work/typo.txt PHOTONLAB_OUT=$work/typo bash "$here/$what.sh" >"$work/said" 2>&1 &&
+            bad "$what: made with a date that there is not"
+        says 'typo.txt:[0-9]*: expected stage NUMBER' "$work/said" "$what: a mistake in points.txt stops it"
+    done
+}
