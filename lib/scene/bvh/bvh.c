@@ -4,7 +4,9 @@
 #include "scene/bvh/bvh_internal.h"
 
 #include <stdlib.h>
+#ifdef __linux__
 #include <sys/mman.h>
+#endif
 
 // A box reaches this much farther than its shape, relative to its coordinates, so that rounding does not put a hit
 // on the shape outside the box.
