@@ -59,17 +59,12 @@ static void on_button(Window *window, int button, int action, int modifiers)
 // Pixels.
 static void drag(App *app, float right, float down)
 {
-    View *view = &app->view;
     right /= (float)app->height;
     down /= (float)app->height;
-    if (app->button == 0 && !app->drag_shift && view_type(view)->place != ON_A_SHEET) {
-        orbit_turn(&view->orbit, 4.0f * right, 4.0f * down);
-    } else if (view_type(view)->place != IN_THE_SCENE) {
-        view->framing.right -= right / view->framing.zoom;
-        view->framing.up += down / view->framing.zoom;
-    } else {
-        orbit_pan(&view->orbit, -right, down);
-    }
+    if (app->button == 0 && !app->drag_shift)
+        view_turn(&app->view, right, down);
+    else
+        view_move(&app->view, right, down);
     app_moved(app);
 }
 
@@ -93,11 +88,7 @@ static void on_scroll(Window *window, double right, double up)
 {
     (void)right;
     App *app = app_of(window);
-    Framing *framing = &app->view.framing;
-    if (view_type(&app->view)->place != IN_THE_SCENE)
-        framing->zoom = fminf(fmaxf(framing->zoom * powf(0.9f, -(float)up), LEAST_ZOOM), MOST_ZOOM);
-    else
-        orbit_zoom(&app->view.orbit, powf(0.9f, (float)up));
+    view_zoom(&app->view, powf(0.9f, (float)up));
     app_moved(app);
 }
 

@@ -105,10 +105,7 @@ static void next_colour(App *app)
 
 static void frame_all(App *app)
 {
-    if (view_type(&app->view)->place != IN_THE_SCENE)
-        app->view.framing = FRAMING_DEFAULT;
-    else
-        orbit_frame(&app->view.orbit, bvh_bounds(app->scene->bvh), (float)app->width / (float)app->height);
+    view_frame(&app->view, app->scene, (float)app->width / (float)app->height);
     app_moved(app);
 }
 

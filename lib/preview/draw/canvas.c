@@ -6,18 +6,22 @@
 #include <malloc.h>
 #endif
 
-static const char VERTEX_SHADER[] = "#version 330 core\n"
-                                    "layout(location = 0) in vec3 position;\n"
+static const char VERTEX_SHADER[] = "layout(location = 0) in vec3 position;\n"
                                     "layout(location = 1) in vec4 colour;\n"
                                     "uniform mat4 projection;\n"
                                     "uniform float exposure;\n"
                                     "out vec4 shade;\n"
+                                    "#ifdef GL_ES\n" // has no glPointSize
+                                    "uniform float point_size;\n"
+                                    "#endif\n"
                                     "void main() {\n"
+                                    "#ifdef GL_ES\n"
+                                    "    gl_PointSize = point_size;\n"
+                                    "#endif\n"
                                     "    gl_Position = projection * vec4(position, 1.0);\n"
                                     "    shade = vec4(colour.rgb * exposure, colour.a);\n"
                                     "}\n";
-static const char FRAGMENT_SHADER[] = "#version 330 core\n"
-                                      "in vec4 shade;\n"
+static const char FRAGMENT_SHADER[] = "in vec4 shade;\n"
                                       "layout(location = 0) out vec4 result;\n"
                                       "void main() { result = shade; }\n";
 

@@ -21,12 +21,19 @@ bool gl_load(Gl *gl, GlLoader loader, Error *error)
                      version ? (const char *)version : "without a context");
 }
 
+// WebGL 2 is OpenGL ES 3.0: its shaders differ in their first lines only.
+#ifdef __wasm__
+static const char HEADER[] = "#version 300 es\nprecision highp float;\n";
+#else
+static const char HEADER[] = "#version 330 core\n";
+#endif
+
 unsigned gl_program(const Gl *gl, const char *vertex_shader, const char *fragment_shader, Error *error)
 {
     unsigned program = gl->CreateProgram();
     for (int i = 0; i < 2; i++) {
         unsigned shader = gl->CreateShader(i == 0 ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
-        gl->ShaderSource(shader, 1, i == 0 ? &vertex_shader : &fragment_shader, NULL);
+        gl->ShaderSource(shader, 2, (const char *const[]){HEADER, i == 0 ? vertex_shader : fragment_shader}, NULL);
         gl->CompileShader(shader);
         gl->AttachShader(program, shader);
         gl->DeleteShader(shader); // when the program goes

@@ -34,7 +34,7 @@ typedef struct {
 // Fills the table from the present context. False, with what is missing, below OpenGL 3.3.
 bool gl_load(Gl *gl, GlLoader loader, Error *error);
 
-// A program of two shaders; 0 with the compiler's words.
+// A program of two shaders, which begin behind the line `#version`; 0 with the compiler's words.
 unsigned gl_program(const Gl *gl, const char *vertex_shader, const char *fragment_shader, Error *error);
 
 #endif

@@ -37,11 +37,48 @@ bool recording_read(const char *path, const Scene *scene, Recording *recording, 
     return recording->photons || error_set(error, "%s: not enough memory", path);
 }
 
+float recording_reach(const Scene *scene)
+{
+    float across = box_diagonal(bvh_bounds(scene->bvh));
+    return across > 0.0f && across < 1e30f ? 0.5f * across : 1.0f;
+}
+
+PathLeg path_leg(const Photon *photon, const Hit *hit, long path, float reach)
+{
+    float wave = photon->wavelength; // photons that are looked at have but one
+    bool light = hit && hit->material->type == MATERIAL_LIGHT;
+    return (PathLeg){
+        .from = photon->position,
+        .to = hit ? hit->position : vec3_along(photon->position, photon->direction, reach),
+        .power = wave > 0.0f ? colour_scale(spectral_colour(wave), photon->power.r) : photon->power,
+        .flown = photon->flown,
+        .path = (uint32_t)path,
+        .bounce = (uint16_t)(photon->bounce < 65535 ? photon->bounce : 65535),
+        .colour = wave > 0.0f ? band_of_wavelength(wave) : (uint8_t)photon->colour,
+        .end = (uint8_t)(!hit    ? LEG_ESCAPED
+                         : light ? LEG_LIGHT
+                                 : LEG_SURFACE),
+    };
+}
+
 void recording_free(Recording *recording)
 {
     free(recording->photons);
     free(recording->legs);
     *recording = (Recording){.photons = NULL};
+}
+
+LobeSample lobe_sample(float exponent, float degrees, bool diffuse, uint64_t seed, long i)
+{
+    float angle = degrees * PI / 180.0f;
+    Vec3 normal = vec3(0.0f, 0.0f, 1.0f), incoming = vec3(sinf(angle), 0.0f, -cosf(angle));
+    Rng rng = rng_create(seed, (uint64_t)i);
+    LobeSample sample = {{0.0f, 0.0f, 0.0f}, 1.0f};
+    if (diffuse)
+        sample.direction = steps.scatter_diffuse(normal, &rng);
+    else if (!steps.scatter_glossy(incoming, normal, exponent, &rng, &sample.direction, &sample.weight))
+        sample.weight = 0.0f;
+    return sample;
 }
 
 void findings_free(Findings *findings)

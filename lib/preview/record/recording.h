@@ -45,6 +45,10 @@ static inline float leg_length(const PathLeg *leg)
     return vec3_length(vec3_sub(leg->to, leg->from));
 }
 
+// The leg that a PhotonRecorder tells of; one that leaves the scene is drawn for `reach` metres.
+PathLeg path_leg(const Photon *photon, const Hit *hit, long path, float reach);
+float recording_reach(const Scene *scene); // half across it
+
 // Of one photon pass.
 typedef struct {
     RecordedPhoton *photons; // in the order of the paths: any first part is a fair sample
@@ -75,6 +79,8 @@ typedef struct {
     Vec3 direction;
     float weight;
 } LobeSample;
+// Number i of a seed, by the step that plays: normal +z, the mirror direction so many degrees from it in the xz plane.
+LobeSample lobe_sample(float exponent, float degrees, bool diffuse, uint64_t seed, long i);
 
 // Where progressive photon mapping (stage 5) looks for photons, at a pixel of a small picture, pass after pass.
 #define DISK_PASSES 64

@@ -40,6 +40,40 @@ const char *whose_step(const ViewData *data, const char *id)
                                        : ""; // nobody else is there
 }
 
+void view_move(View *view, float right, float down)
+{
+    if (view_type(view)->place == IN_THE_SCENE) {
+        orbit_pan(&view->orbit, -right, down);
+        return;
+    }
+    view->framing.right -= right / view->framing.zoom;
+    view->framing.up += down / view->framing.zoom;
+}
+
+void view_turn(View *view, float right, float down)
+{
+    if (view_type(view)->place == ON_A_SHEET)
+        view_move(view, right, down);
+    else
+        orbit_turn(&view->orbit, 4.0f * right, 4.0f * down);
+}
+
+void view_zoom(View *view, float factor)
+{
+    if (view_type(view)->place == IN_THE_SCENE)
+        orbit_zoom(&view->orbit, factor);
+    else
+        view->framing.zoom = fminf(fmaxf(view->framing.zoom / factor, LEAST_ZOOM), MOST_ZOOM);
+}
+
+void view_frame(View *view, const Scene *scene, float aspect)
+{
+    if (view_type(view)->place == IN_THE_SCENE)
+        orbit_frame(&view->orbit, bvh_bounds(scene->bvh), aspect);
+    else
+        view->framing = FRAMING_DEFAULT;
+}
+
 double wrap(double value, double low, double high)
 {
     if (value < low)

@@ -95,6 +95,13 @@ static inline const ViewType *view_type(const View *view)
 View view_default(const Scene *scene);
 #define FRAMING_DEFAULT ((Framing){1.0f, 0.0f, 0.0f})
 
+// As who holds the scene, or the sheet, moves it: in heights of the picture, to the right and down. Turned is what can be
+// turned; the rest is moved.
+void view_turn(View *view, float right, float down);
+void view_move(View *view, float right, float down);
+void view_zoom(View *view, float factor);                      // of the distance
+void view_frame(View *view, const Scene *scene, float aspect); // all of it fits
+
 // A picture, RGBA rows from the top; NULL: none.
 typedef struct {
     const uint8_t *rgba;
