@@ -1,0 +1,119 @@
+// What is drawn, and what decides how.
+#include "web/web.h"
+
+#include "base/array.h"
+#include "base/text.h"
+
+#include <stdlib.h>
+
+// A copy of what is collected goes into the view: more may come.
+static bool copy_collected(Recording *copy)
+{
+    const Recording *all = &page.collected;
+    *copy = *all;
+    copy->photons = malloc((all->count + 1) * sizeof *all->photons);
+    copy->legs = malloc((all->leg_count + 1) * sizeof *all->legs);
+    if (!copy->photons || !copy->legs) {
+        recording_free(copy);
+        return error_set(&page.error, "not enough memory for the photons");
+    }
+    memcpy(copy->photons, all->photons, all->count * sizeof *all->photons);
+    memcpy(copy->legs, all->legs, all->leg_count * sizeof *all->legs);
+    copy->recorded = (long)page.asked.recorded < all->emitted ? (long)page.asked.recorded : all->emitted;
+    recording_measure(copy);
+    return true;
+}
+
+static bool ready(int width, int height)
+{
+    page.error.message[0] = '\0';
+    if (!page.scene)
+        return error_set(&page.error, "there is no scene yet");
+    if (!page.canvas && !(page.canvas = canvas_create(web_gl, width, height, &page.error)))
+        return false;
+    if (!page.data && !(page.data = view_data_create(page.canvas, page.scene)))
+        return error_set(&page.error, "not enough memory for the picture");
+    return canvas_resize(page.canvas, width, height, &page.error);
+}
+
+// What is collected by now is what the next pictures show.
+bool EXPORT(web_show)(void)
+{
+    Recording copy;
+    if (!ready(page.canvas ? canvas_width(page.canvas) : 64, page.canvas ? canvas_height(page.canvas) : 64) ||
+        !copy_collected(&copy))
+        return false;
+    view_data_record(page.data, copy);
+    return true;
+}
+
+// Ten thousand of the scatter step for the lobe's view, as its settings ask.
+bool EXPORT(web_sample_lobe)(int count)
+{
+    if (!ready(page.canvas ? canvas_width(page.canvas) : 64, page.canvas ? canvas_height(page.canvas) : 64))
+        return false;
+    const double *settings = page.view.settings[VIEW_LOBE];
+    steps_play(page.asked.play);
+    LobeSamples samples = {malloc((size_t)(count + 1) * sizeof *samples.items), (size_t)count};
+    for (int i = 0; samples.items && i < count; i++)
+        samples.items[i] = lobe_sample((float)settings[LOBE_EXPONENT], (float)settings[LOBE_ANGLE],
+                                       settings[LOBE_DIFFUSE] != 0.0, (uint64_t)page.asked.seed, i);
+    view_data_sample(page.data, samples);
+    return true;
+}
+
+// Draws into the canvas that gl.js has. `bare`: no words in it. `status`: the line at the bottom, "": none.
+bool EXPORT(web_draw)(int width, int height, bool bare, const char *status, const char *banner)
+{
+    if (!ready(width, height))
+        return false;
+    Captions captions = {.status = status, .banner = banner, .bare = bare};
+    view_draw(page.canvas, &page.view, page.data, NULL, &captions);
+    canvas_present(page.canvas, width, height);
+    return true;
+}
+
+// In words, what the picture shows.
+const char *EXPORT(web_describe)(void)
+{
+    page.text[0] = '\0';
+    if (page.data)
+        view_type(&page.view)->describe(&page.view, page.data, page.text, sizeof page.text);
+    return page.text;
+}
+
+// ---- the camera ----
+
+// In heights of the picture, the scene along with the hand.
+void EXPORT(web_turn)(float right, float down)
+{
+    view_turn(&page.view, right, down);
+}
+
+void EXPORT(web_move)(float right, float down)
+{
+    view_move(&page.view, right, down);
+}
+
+void EXPORT(web_zoom)(float factor) // below 1: nearer
+{
+    view_zoom(&page.view, factor);
+}
+
+void EXPORT(web_frame)(float aspect) // all of it fits
+{
+    view_frame(&page.view, page.scene, aspect);
+}
+
+void EXPORT(web_home)(void) // where the scene's camera is
+{
+    page.view.orbit = view_default(page.scene).orbit;
+    page.view.framing = FRAMING_DEFAULT;
+}
+
+// An arrow key: what the view chooses (a path, a level of the tree).
+void EXPORT(web_choose)(bool sideways, int step)
+{
+    if (view_type(&page.view)->choose && page.data)
+        view_type(&page.view)->choose(&page.view, page.data, sideways, step);
+}

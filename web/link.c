@@ -1,0 +1,25 @@
+// What the program finds at run time, and the module has from the start: steps, and the functions of OpenGL.
+#include "web/web.h"
+
+#include "preview/draw/gl.h"
+
+void web_load_steps(void)
+{
+#define STEP(stage, number, symbol, ...) steps.symbol = symbol;
+#include "steps/steps.def"
+    steps_play((StepChoice){0});
+}
+
+void *web_gl(const char *name)
+{
+#define ROW(function) {"gl" #function, (void (*)(void))gl##function},
+    static const struct {
+        const char *name;
+        void (*function)(void);
+    } TABLE[] = {GL_FUNCTIONS(ROW)};
+    void *address = NULL;
+    for (size_t i = 0; i < sizeof TABLE / sizeof *TABLE; i++)
+        if (strcmp(TABLE[i].name, name) == 0)
+            memcpy(&address, &TABLE[i].function, sizeof address);
+    return address;
+}

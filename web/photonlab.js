@@ -1,0 +1,214 @@
+// The module in a page: web/README.md tells how it is used. No page needs more of it than the class Photonlab.
+
+// The numbers of the interface in the order of web_collected().
+const COLLECTED = ['photonsAt', 'photons', 'photonBytes', 'legsAt', 'legs', 'legBytes', 'emitted', 'segments']
+
+class Photonlab {
+    // `compiled`: a WebAssembly.Module, see Photonlab.compile. `canvas`: to draw into; without one (in a worker) photons
+    // can be traced, and nothing can be drawn.
+    static async open(compiled, canvas) {
+        const lab = new Photonlab()
+        const memory = () => lab.exports.memory
+        const gl = canvas && canvas.getContext('webgl2', {alpha: false, antialias: false, preserveDrawingBuffer: true})
+        if (canvas && !gl) throw new Error('this browser draws no WebGL 2')
+        const drawing = gl ? photonlabGl(gl, memory) : {}
+        const missing = name => () => {
+            throw new Error(`${name}: there is no canvas to draw into`)
+        }
+        const imports = {env: {}, wasi_snapshot_preview1: photonlabWasi(memory)}
+        for (const {module, name} of WebAssembly.Module.imports(compiled))
+            if (module === 'env') imports.env[name] = drawing[name] || missing(name)
+        lab.canvas = canvas
+        lab.exports = (await WebAssembly.instantiate(compiled, imports)).exports
+        lab.exports._initialize()
+        return lab
+    }
+
+    // Text that make_page.sh put into the page, packed, as an ArrayBuffer.
+    static async unpack(element) {
+        const packed = Uint8Array.from(atob(element.textContent.trim()), letter => letter.charCodeAt(0))
+        return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer()
+    }
+
+    // The page's module: compiled once, for as many instances as are wanted.
+    static compile() {
+        Photonlab.compiled ||= Photonlab.unpack(document.getElementById('photonlab-module')).then(bytes => WebAssembly.compile(bytes))
+        return Photonlab.compiled
+    }
+
+    // ---- calling the module: any of its functions by name, with text where it takes text ----
+
+    bytes() {
+        return new Uint8Array(this.exports.memory.buffer)
+    }
+
+    // A copy of the bytes, or the text, in the module's memory, with a 0 behind it; to be freed, or given away.
+    put(content) {
+        const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : new Uint8Array(content)
+        const at = this.exports.malloc(bytes.length + 1)
+        if (!at) throw new Error('not enough memory')
+        this.bytes().set(bytes, at)
+        this.bytes()[at + bytes.length] = 0
+        return at
+    }
+
+    text(at) {
+        const all = this.bytes()
+        return new TextDecoder().decode(all.slice(at, all.indexOf(0, at)))
+    }
+
+    call(name, ...values) {
+        const texts = []
+        const given = values.map(value => (typeof value === 'string' ? (texts.push(this.put(value)), texts.at(-1)) : value))
+        const answer = this.exports[name](...given)
+        texts.forEach(at => this.exports.free(at))
+        return answer
+    }
+
+    // Of functions that answer whether they could: throws what they say if not.
+    must(name, ...values) {
+        if (!this.call(name, ...values)) throw new Error(this.text(this.call('web_error')))
+    }
+
+    // ---- the scene ----
+
+    // A mesh that scenes name: file('meshes/diamond.obj', bytes).
+    file(name, content) {
+        const at = this.put(content)
+        const size = typeof content === 'string' ? new TextEncoder().encode(content).length : content.byteLength
+        if (!this.call('web_put_file', name, at, size)) throw new Error(`${name}: too many files`)
+    }
+
+    // Throws "name:line:column: …" for a scene with a fault; the one before stays then.
+    scene(yaml, name = 'scene.yaml', keepView = false) {
+        const size = new TextEncoder().encode(yaml).length
+        this.must('web_scene', yaml, size, name, keepView)
+        this.list = JSON.parse(this.text(this.call('web_parameters')))
+    }
+
+    // ---- parameters: names, ranges and values in lab.list.parameters; set({photons: 1e5, view: 'paths', 'lobe.exponent': 50}) ----
+
+    set(values) {
+        for (const [name, value] of Object.entries(values)) {
+            if (name === 'steps') this.must('web_steps', value)
+            else this.must('web_set', name, typeof value === 'string' ? this.numberOf(name, value) : Number(value))
+        }
+    }
+
+    numberOf(name, word) {
+        const number = (name === 'view' ? this.list.views : this.list.colours).indexOf(word)
+        if (number < 0) throw new Error(`${name}: there is no '${word}'`)
+        return number
+    }
+
+    get(name) {
+        const value = this.call('web_get', name)
+        return name === 'view' ? this.list.views[value] : name === 'colour' ? this.list.colours[value] : value
+    }
+
+    // ---- photons ----
+
+    // Emits the paths first … last−1 of all, and collects what they leave. All of them at once by default.
+    trace(first = 0, last = this.get('photons')) {
+        if (first === 0) this.call('web_forget')
+        this.must('web_trace', first, last)
+    }
+
+    // {photons, legs, emitted, segments}: how many there are by now.
+    collected() {
+        const numbers = new Float64Array(this.exports.memory.buffer, this.call('web_collected'), COLLECTED.length)
+        return Object.fromEntries(COLLECTED.map((name, i) => [name, numbers[i]]))
+    }
+
+    // What was collected here since the last call, for another instance's take(): {photons, legs, last} with ArrayBuffers.
+    give() {
+        const c = this.collected()
+        const part = (at, size) => this.exports.memory.buffer.slice(at, at + size)
+        const given = {
+            photons: part(c.photonsAt, c.photons * c.photonBytes),
+            legs: part(c.legsAt, c.legs * c.legBytes),
+            last: c.emitted,
+        }
+        this.call('web_forget')
+        return given
+    }
+
+    take({photons, legs, last}) {
+        const c = this.collected()
+        const at = [this.put(photons), this.put(legs)]
+        this.must('web_take', at[0], photons.byteLength / c.photonBytes, at[1], legs.byteLength / c.legBytes, last)
+        at.forEach(place => this.exports.free(place))
+    }
+
+    // All photons as the bytes of a file: 'photons.ply' or 'photons.csv'.
+    photonFile(name) {
+        this.must('web_write_photons', name)
+        const at = this.call('web_file', name)
+        return this.bytes().slice(at, at + this.call('web_file_size', name))
+    }
+
+    // ---- the picture ----
+
+    // What was collected by now is drawn from now on.
+    show() {
+        this.must('web_show')
+    }
+
+    sampleLobe(count = 10000) {
+        this.must('web_sample_lobe', count)
+    }
+
+    // As large as canvas.width × canvas.height. `bare`: no words in it.
+    draw({bare = false, status = '', banner = ''} = {}) {
+        this.must('web_draw', this.canvas.width, this.canvas.height, bare, status, banner)
+    }
+
+    // What the picture shows, in words.
+    describe() {
+        return this.text(this.call('web_describe'))
+    }
+
+    // By heights of the picture, as the scene follows the hand; zoom below 1: nearer.
+    turn(right, down) {
+        this.call('web_turn', right, down)
+    }
+    move(right, down) {
+        this.call('web_move', right, down)
+    }
+    zoom(factor) {
+        this.call('web_zoom', factor)
+    }
+    frame() {
+        this.call('web_frame', this.canvas.width / this.canvas.height)
+    }
+    home() {
+        this.call('web_home')
+    }
+    choose(sideways, step) {
+        this.call('web_choose', sideways, step)
+    }
+}
+
+// What the C library asks of a system: the time, and where words to the terminal go.
+function photonlabWasi(memory) {
+    const view = () => new DataView(memory().buffer)
+    return {
+        clock_time_get: (clock, precision, at) => {
+            view().setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true)
+            return 0
+        },
+        fd_write: (file, pieces, count, writtenAt) => {
+            let written = 0
+            for (let i = 0; i < count; i++) {
+                const at = view().getUint32(pieces + 8 * i, true), size = view().getUint32(pieces + 8 * i + 4, true)
+                console.log(new TextDecoder().decode(new Uint8Array(memory().buffer.slice(at, at + size))))
+                written += size
+            }
+            view().setUint32(writtenAt, written, true)
+            return 0
+        },
+        fd_close: () => 0,
+        fd_seek: () => 8, // EBADF
+        fd_fdstat_get: () => 8,
+    }
+}

@@ -1,0 +1,57 @@
+# The course in a browser: the library as a WebAssembly module, and pages around it. Included by the Makefile.
+
+WASM_CC  ?= clang
+WASM      = $(BUILD)/web
+# As native code is compiled, with the same roundings; without OpenMP, whose pragmas alone name some parameters. Headers that are no part of WASI's C library (OpenGL, stb, libyaml) are
+# looked for where the system has them, and last.
+WASM_FLAGS = --target=wasm32-wasi $(STANDARD) -Wno-unused-parameter -O3 -msimd128 -fno-stack-protector -Ilib -I. -idirafter /usr/include
+WASM_LINK  = -mexec-model=reactor -Wl,--import-undefined -Wl,--strip-all -Wl,--stack-first -Wl,-z,stack-size=1048576 \
+             -Wl,--export=malloc -Wl,--export=free
+
+# What needs a system below it stays out: processes, signals, loading of objects, windows.
+WASM_WITHOUT = lib/base/crash_% lib/base/process.c lib/base/file_disk.c lib/image/png.c lib/render/passes/pass_file.c lib/steps/steps_load.c lib/preview/draw/context/%
+WASM_SOURCES = $(filter-out $(WASM_WITHOUT),$(LIBRARY_SOURCES) $(call find_c,lib/preview/draw lib/preview/record lib/preview/view) \
+               $(STEP_SOURCES) $(wildcard web/*.c))
+LIBYAML_PARTS = api reader scanner parser
+
+.PHONY: wasm site check-wasm
+
+##maintainer wasm  the library, the solutions and the preview's drawing as a module for browsers: build/web/photonlab.wasm
+wasm: $(WASM)/photonlab.wasm
+
+$(WASM)/photonlab.wasm: $(WASM_SOURCES:%.c=$(WASM)/%.o) $(LIBYAML_PARTS:%=$(WASM)/libyaml/%.o)
+	$(call say,link,$@)
+	$(call beside,$(WASM_CC) --target=wasm32-wasi -O3 $(WASM_LINK) $^ -o $$new)
+
+$(WASM)/libyaml/%.o: $(WASM)/libyaml/source
+	$(call beside,$(WASM_CC) --target=wasm32-wasi -O2 -idirafter /usr/include -DYAML_VERSION_MAJOR=0 -DYAML_VERSION_MINOR=2 \
+	    -DYAML_VERSION_PATCH=5 -DYAML_VERSION_STRING='"0.2.5"' -c $(@:.o=.c) -o $$new)
+
+$(WASM)/libyaml/source: web/libyaml.sh
+	$(Q)mkdir -p $(@D) && sh web/libyaml.sh $(abspath $(@D)) && touch $@
+
+$(WASM)/%.o: %.c | wasm-tools
+	$(call say,wasm,$<)
+	$(call beside,$(WASM_CC) $(WASM_FLAGS) $(or $(EXTRA),$(if $(CHECK),-Werror)) -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $$new)
+
+.PHONY: wasm-tools
+wasm-tools:
+	@echo 'int main(void){return 0;}' | $(WASM_CC) --target=wasm32-wasi -include stdlib.h -x c - -o /dev/null 2>/dev/null || \
+	    { echo "A compiler for WebAssembly is missing. On Debian: sudo apt-get install clang lld wasi-libc libclang-rt-dev-wasm32" >&2; exit 1; }
+
+-include $(shell find $(WASM) -name '*.d' 2>/dev/null)
+
+# A scene whose mesh would fill the page stays out.
+SITE_SCENES = $(filter-out scenes/bumpy_glass.yaml,$(wildcard scenes/*.yaml))
+
+$(BUILD)/site/lab.html: web/make_page.sh $(wildcard web/*.html web/*.css web/*.js) $(WASM)/photonlab.wasm $(SITE_SCENES) $(MESHES)
+	$(call say,page,$@)
+	$(call beside,sh web/make_page.sh web/lab.html $(WASM)/photonlab.wasm $(SITE_SCENES) >$$new)
+
+##maintainer site  the course for a web host, or a disk: build/site/
+site: $(BUILD)/site/lab.html
+	@echo "$(BUILD)/site/lab.html"
+
+##check long check-wasm  the module's photons are the program's, to the byte
+check-wasm: all meshes $(WASM)/photonlab.wasm
+	@node tests/web/same_photons.mjs $(PROGRAM) $(WASM)/photonlab.wasm
