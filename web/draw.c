@@ -54,11 +54,12 @@ bool EXPORT(web_sample_lobe)(int count)
         return false;
     const double *settings = page.view.settings[VIEW_LOBE];
     steps_play(page.asked.play);
-    LobeSamples samples = {malloc((size_t)(count + 1) * sizeof *samples.items), (size_t)count};
-    for (int i = 0; samples.items && i < count; i++)
-        samples.items[i] = lobe_sample((float)settings[LOBE_EXPONENT], (float)settings[LOBE_ANGLE],
-                                       settings[LOBE_DIFFUSE] != 0.0, (uint64_t)page.asked.seed, i);
-    view_data_sample(page.data, samples);
+    Findings found = {malloc((size_t)(count + 1) * sizeof(LobeSample)), (size_t)count};
+    LobeSample *samples = found.items;
+    for (int i = 0; samples && i < count; i++)
+        samples[i] = lobe_sample((float)settings[LOBE_EXPONENT], (float)settings[LOBE_ANGLE],
+                                 settings[LOBE_DIFFUSE] != 0.0, (uint64_t)page.asked.seed, i);
+    view_data_find(page.data, RUN_LOBE, found);
     return true;
 }
 
