@@ -2,6 +2,7 @@
 # Everything `make check` runs, part by part, with the sum of all tests at the end. The makefiles say which targets are parts, and
 # when (see tests/tests.mk). Usage: check.sh MAKE MAKEFILE…
 set -u
+TIMEFORMAT='%0R s; processors: %0U s, and %0S s in the system'
 export OMP_WAIT_POLICY=passive # parts run side by side: a thread that waits must not keep a core busy
 make=$1
 shift
@@ -17,9 +18,8 @@ parts() {
 makefiles=("$@")
 
 run() {
-    local start=$SECONDS
-    "$make" --no-print-directory CHECK=1 "$1" >"$logs/$1" 2>&1
-    echo $? $((SECONDS - start)) >"$logs/$1.code"
+    { time "$make" --no-print-directory CHECK=1 "$1" >"$logs/$1" 2>&1; } 2>"$logs/$1.time"
+    echo $? $(cat "$logs/$1.time") >"$logs/$1.code"
 }
 
 # Each part closes with "N passed, N failed"; one that does not has failed as a whole.
@@ -41,7 +41,7 @@ count() {
     set -- $sum
     passed=$((passed + $1))
     failed=$((failed + $3))
-    echo "   $seconds s"
+    echo "   $seconds"
 }
 
 one_by_one() {

@@ -39,7 +39,7 @@ check-sanitized: meshes
 
 ##check first check-bytes  no warning by gcc or clang; by both, on 1, 2 and 7 threads, the same bytes
 # What gcc has built already it need not build again; `make check` has it build with -Werror from the start.
-GCC_BUILD = $(if $(filter gcc,$(CC)),$(BUILD),$(BUILD)/gcc)
+GCC_BUILD = $(if $(filter gcc,$(notdir $(CC))),$(BUILD),$(BUILD)/gcc)
 check-compilers:
 	@$(MAKE) BUILD=$(GCC_BUILD) CC=gcc CHECK=1 all $(TEST_SOURCES:tests/unit/%.c=$(GCC_BUILD)/tests/%)
 	@$(MAKE) BUILD=$(BUILD)/clang CC=clang OPTIMISE=-O2 EXTRA="-Werror -g0" HAVE_PREVIEW= all
