@@ -4,17 +4,18 @@
 # the disk they are taken from, a third as large, blurs less. Either is worth a factor of about 1/3 in relMSE. The path image's own noise, the
 # same in both comparisons, lifts that to 0.6 at most with the samples below; 0.7 is asked for.
 # Gathered pictures must be as bright; not by step 2.3, whose lobe a gather ray, to which all is matt, knows to 0.6 %.
-# Usage: agreement.sh PROGRAM [few], where few leaves out the scenes whose surfaces and lights others have, too.
+# Usage: agreement.sh PROGRAM [few], where few has half the pixels and leaves out the scenes whose surfaces and lights others have, too.
 set -u
 here=$(dirname "$0")
 . "$here/common.sh"
 program=$1
+if [ "${2:-}" = few ]; then side=48; else side=64; fi
 
 # agree NAME SCENE PATH_SAMPLES FLAGS…: relative error and mean ratio of photons against the path image of the same flags
 agree() {
     local name=$1 scene=$2 samples=$3
     shift 3
-    local size="--size 64x64 --quiet"
+    local size="--size ${side}x$side --quiet"
     rm -f "$work"/*.pfm
     "$program" render "$scene" $size --integrator path --samples "$samples" "$@" -o "$work/path.pfm" &&
         "$program" render "$scene" $size --photons 100000 --k 50 --radius 0 --samples 64 "$@" -o "$work/few.pfm" &&

@@ -96,9 +96,10 @@ $(BUILD)/tests/test_sandbox: $(call object,$(wildcard tests/judge/sandbox/*.c te
 check-sandbox: $(BUILD)/tests/test_sandbox
 	@bash tests/unit/run.sh $<
 
-##check first reference  both integrators against an independent renderer's images
+##check first reference  all integrators against an independent renderer's images (SCENES=few: as make check does)
+FEW = $(if $(CHECK),few,$(SCENES))
 reference: all
-	@bash tests/reference/compare.sh $(PROGRAM)
+	@bash tests/reference/compare.sh $(PROGRAM) $(FEW)
 
 ##check long reference-progressive  the error of passes: how it falls; a table for a figure, build/progressive.txt (ten minutes)
 reference-progressive: all meshes
@@ -106,7 +107,7 @@ reference-progressive: all meshes
 
 ##check first agreement  photons against the path tracer (SCENES=few: as make check does)
 agreement: all meshes
-	@bash tests/agreement.sh $(PROGRAM) $(if $(CHECK),few,$(SCENES))
+	@bash tests/agreement.sh $(PROGRAM) $(FEW)
 
 ##maintainer spectra  photons of single wavelengths against a spectral sum, three bands beside them, what hero wavelengths gain
 $(BUILD)/reflectances: $(call object,tests/spectra/reflectances.c) $(LIBRARY)

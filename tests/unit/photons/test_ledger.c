@@ -3,7 +3,7 @@
 
 #include <glob.h>
 
-#define PHOTONS FEWER(50000)
+#define PHOTONS FEWER(20000)
 #define ENOUGH  50000 // for the smallest cheat to show
 
 // The half that holds by construction, and the half that only right steps keep: chance within 4 standard errors of 0.

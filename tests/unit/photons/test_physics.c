@@ -36,7 +36,7 @@ static double through_face(double i, double r)
 static void check_deviations(const Scene *scene, const double expected[3], Mean share[3])
 {
     const Light *beam = &scene->lights[0];
-    PhotonPass pass = photons_of(scene, 20000, 1, PLAY_DEFAULT);
+    PhotonPass pass = photons_of(scene, FEWER(20000), 1, PLAY_DEFAULT);
     for (int c = 0; c < 3; c++)
         share[c] = (Mean){0};
     for (size_t i = 0; i < pass.rest.count; i++) {
@@ -100,12 +100,12 @@ TEST(prism_at_45_degrees_reflects_every_colour)
 {
     check_prism(45.0, (double[]){NAN, NAN, NAN});
     Scene *scene = prism_scene(45.0);
-    PhotonPass pass = photons_of(scene, 20000, 1, PLAY_DEFAULT);
+    PhotonPass pass = photons_of(scene, FEWER(20000), 1, PLAY_DEFAULT);
     long by_colour[4] = {0};
     for (size_t i = 0; i < pass.rest.count; i++)
         by_colour[pass.rest.photons[i].colour] += pass.rest.photons[i].bounce > 2;
     for (int c = 0; c < 3; c++) {
-        assert_true(by_colour[RED + c] > 10000);
+        assert_true(by_colour[RED + c] > (long)pass.emitted / 2);
         assert_within(pass.ledger.absorbed[c], 1.0, 0.02, "power that arrives on the black sphere");
     }
 }
@@ -114,7 +114,7 @@ TEST(prism_at_45_degrees_reflects_every_colour)
 // after two (4): where the bows stand. In degrees, by colour.
 static void bows(const Scene *scene, double primary[4], double secondary[4])
 {
-    PhotonPass pass = photons_of(scene, 300000, 1, PLAY_DEFAULT);
+    PhotonPass pass = photons_of(scene, FEWER(300000), 1, PLAY_DEFAULT);
     for (int c = 0; c < 4; c++) {
         primary[c] = 0.0;
         secondary[c] = 180.0;
