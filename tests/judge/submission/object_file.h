@@ -1,4 +1,4 @@
-// A relocatable object file (ELF, 64 bits), as far as the judge has to know it. Reads strictly: everything in it comes from a
+// A relocatable object file, as far as the judge has to know it. Reads strictly: everything in it comes from a
 // student's source.
 #ifndef PHOTONLAB_JUDGE_OBJECT_FILE_H
 #define PHOTONLAB_JUDGE_OBJECT_FILE_H
