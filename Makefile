@@ -30,31 +30,43 @@ SYSTEM := $(shell uname -s)
 
 # Same bytes from every compiler: no fused multiply-add, no fast-math. errno of sqrtf is not wanted.
 OPTIMISE ?= -O3
-STANDARD  = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno
-OPENMP   := $(shell echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp)
+STANDARD  = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 $(OWN_NAMES) -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno
 PACKAGES  = libpng yaml-0.1
 PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
 PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lyaml)
 
-override CFLAGS += $(if $(HAVE_PREVIEW),,-DWITHOUT_PREVIEW) $(STANDARD) $(OPTIMISE) -g -fPIC -fno-semantic-interposition $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(or $(EXTRA),$(if $(CHECK),-Werror))
-LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(OPENMP)
-
 ifeq ($(SYSTEM),Darwin)
-SHARED = -dynamiclib -install_name @rpath/libphotonlab.so
-PLUGIN = -bundle -undefined dynamic_lookup
-ORIGIN = @loader_path
+# Apple's compilers do not look where Homebrew puts things, and know OpenMP under another name.
+BREW      := $(shell brew --prefix 2>/dev/null)
+OWN_NAMES  = -D_DARWIN_C_SOURCE
+OPENMP_BY  = -fopenmp -Xpreprocessor@-fopenmp@-lomp
+PKG_CFLAGS += $(foreach at,$(BREW) $(BREW:=/opt/libomp),-isystem $(at)/include)
+PKG_LIBS   += $(foreach at,$(BREW) $(BREW:=/opt/libomp),-L$(at)/lib)
+SHARED     = -dynamiclib -install_name @rpath/libphotonlab.so
+PLUGIN     = -dynamiclib -undefined dynamic_lookup
+ORIGIN     = @loader_path
 else
-SHARED = -shared -Wl,-Bsymbolic-functions
-PLUGIN = -shared
-ORIGIN = $$ORIGIN
+OPENMP_BY  = -fopenmp
+OWN_CALLS  = -fno-semantic-interposition
+SHARED     = -shared -Wl,-Bsymbolic-functions
+PLUGIN     = -shared
+ORIGIN     = $$ORIGIN
 endif
+
+# The first way to OpenMP with which a program links, if any; `@` stands for a blank.
+OPENMP_WAY := $(firstword $(foreach by,$(OPENMP_BY),$(shell echo 'int main(void) { return omp_in_parallel(); }' | \
+                  $(CC) $(subst @, ,$(by)) -include omp.h $(PKG_CFLAGS) -x c - $(filter -L%,$(PKG_LIBS)) -o /dev/null 2>/dev/null && echo $(by))))
+OPENMP     := $(filter-out -l%,$(subst @, ,$(OPENMP_WAY)))
+
+override CFLAGS += $(if $(HAVE_PREVIEW),,-DWITHOUT_PREVIEW) $(STANDARD) $(OPTIMISE) -g -fPIC $(OWN_CALLS) $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(or $(EXTRA),$(if $(CHECK),-Werror))
+LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(subst @, ,$(OPENMP_WAY))
 
 # Folders called test hold programs of their own.
 find_c           = $(sort $(shell find $(1) -name '*.c' ! -path '*/test/*' 2>/dev/null))
 LIBRARY_SOURCES := $(filter-out lib/cli/% lib/preview/%,$(call find_c,lib))
 # Without the headers of GLFW and OpenGL there is no preview, and `photonlab preview` says what to install.
-HAVE_PREVIEW    := $(shell $(CC) -DGLFW_INCLUDE_GLCOREARB -include GLFW/glfw3.h -fsyntax-only -x c /dev/null 2>/dev/null && echo yes)
+HAVE_PREVIEW    := $(shell $(CC) $(PKG_CFLAGS) -DGLFW_INCLUDE_GLCOREARB -include GLFW/glfw3.h -fsyntax-only -x c /dev/null 2>/dev/null && echo yes)
 PREVIEW_SOURCES := $(if $(HAVE_PREVIEW),$(call find_c,lib/preview))
 PROGRAM_SOURCES := $(call find_c,lib/cli) $(PREVIEW_SOURCES)
 STEP_SOURCES     = $(wildcard solutions/*/*.c)

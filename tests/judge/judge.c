@@ -111,6 +111,9 @@ static void print_cost(double seconds)
         processor += (double)usage.ru_stime.tv_sec + 1e-6 * (double)usage.ru_stime.tv_usec;
         largest = usage.ru_maxrss > largest ? usage.ru_maxrss : largest;
     }
+#ifdef __APPLE__
+    largest /= 1024; // bytes there, thousands of them elsewhere
+#endif
     fprintf(stderr, "took %.2f s, %.2f s of processor time, %.0f MB in the largest process\n", seconds, processor,
             (double)largest / 1024.0);
 }

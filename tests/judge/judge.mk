@@ -3,9 +3,13 @@
 JUDGE         = $(BUILD)/judge
 # What others than the reports say, too.
 REPORT_WORDS  = tests/judge/report/text.c tests/judge/report/status.c
-JUDGE_SOURCES := $(filter-out $(addprefix tests/judge/,calibrate/% probe/% report/%),$(call find_c,tests/judge tests/steps)) $(REPORT_WORDS) \
-                 $(addprefix tests/judge/report/,fields.c report_file.c words.c)
-JUDGE_LIBS    = $(or $(if $(PKG),$(shell pkg-config --libs gsl jansson libseccomp 2>/dev/null)),-lgsl -lgslcblas -ljansson -lseccomp)
+# What the kind of object files and the kernel decide.
+OTHER_SYSTEMS = $(addprefix tests/judge/,$(if $(filter Linux,$(SYSTEM)),sandbox/sandbox_elsewhere.c,$(addprefix sandbox/sandbox_,filter.c landlock.c uid.c folder.c bubblewrap.c)) \
+                    submission/object_$(if $(filter Darwin,$(SYSTEM)),elf,macho).c)
+JUDGE_SOURCES := $(filter-out $(addprefix tests/judge/,calibrate/% probe/% report/%) $(OTHER_SYSTEMS),$(call find_c,tests/judge tests/steps)) \
+                 $(REPORT_WORDS) $(addprefix tests/judge/report/,fields.c report_file.c words.c)
+JUDGE_LIBS    = $(or $(if $(PKG),$(shell pkg-config --libs gsl jansson $(LIBSECCOMP) 2>/dev/null)),-lgsl -lgslcblas -ljansson $(LIBSECCOMP:lib%=-l%))
+LIBSECCOMP    = $(if $(filter Linux,$(SYSTEM)),libseccomp)
 WRITE_REPORTS = $(BUILD)/write_reports
 
 $(JUDGE): $(call object,$(JUDGE_SOURCES)) $(LIBRARY)

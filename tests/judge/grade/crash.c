@@ -2,7 +2,6 @@
 #include "base/crash_words.h"
 #include "judge/probe/probe.h"
 
-#include <seccomp.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -94,6 +93,14 @@ static int find_places(const GradeOptions *options, const LastWords *words, cons
     return count;
 }
 
+static bool is_call(long long number, const char *name)
+{
+    char *its_name = sandbox_call_name(number);
+    bool same = its_name && strcmp(its_name, name) == 0;
+    free(its_name);
+    return same;
+}
+
 static const char *describe_call(long long number)
 {
     static const struct {
@@ -110,7 +117,7 @@ static const char *describe_call(long long number)
         {" setuid setgid setreuid setregid setresuid setresgid setgroups capset unshare setns chroot mount umount2 ",
          "becoming another user"},
     };
-    char *name = seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, (int)number), spaced[80];
+    char *name = sandbox_call_name(number), spaced[80];
     const char *words = "a system call that a step has no need of";
     snprintf(spaced, sizeof spaced, " %s ", name ? name : "?");
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
@@ -175,7 +182,7 @@ static void describe_signal(const GradeOptions *options, const SandboxResult *ra
         snprintf(in, sizeof in, ": it was in %s%s%s;", places[0].function, of, words->step);
     }
     bool out_of_memory = ran->memory_mb > 0 && words->peak_kb > ran->memory_mb * 1024 / 4 * 3;
-    bool huge = number == SIGSYS && words->syscall == seccomp_syscall_resolve_name("mmap");
+    bool huge = number == SIGSYS && is_call(words->syscall, "mmap");
     bool ended_by_clock = ran->timed_out || number == SIGALRM;
     if (number == SIGXCPU || (ran->signal == SIGKILL && !ended_by_clock && ran->cpu_seconds >= ran->cpu_limit))
         snprintf(message, size,

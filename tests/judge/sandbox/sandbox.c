@@ -1,4 +1,4 @@
-#define _GNU_SOURCE // pipe2
+#define _GNU_SOURCE // wait4
 #include "judge/sandbox/sandbox.h"
 #include "judge/sandbox/sandbox_parts.h"
 
@@ -86,15 +86,21 @@ static void clear(SandboxKind kind, const SandboxRun *run, Launch *launch)
     words_free(&launch->readable);
 }
 
+// Closed by exec. Between the two calls a child of another thread may get the ends; it closes them before its own exec.
+static bool open_pipe(int ends[2])
+{
+    return pipe(ends) == 0 && fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0;
+}
+
 // Forks. *out is where what it prints can be read. −1: it could not be started.
 static pid_t start(SandboxKind kind, const SandboxRun *run, const Launch *launch, int *out, Error *error)
 {
     int printed[2], complaints[2];
-    if (pipe2(printed, O_CLOEXEC) != 0) {
+    if (!open_pipe(printed)) {
         error_set(error, "pipe: %s", strerror(errno));
         return -1;
     }
-    if (pipe2(complaints, O_CLOEXEC) != 0) {
+    if (!open_pipe(complaints)) {
         error_set(error, "pipe: %s", strerror(errno));
         close(printed[0]);
         close(printed[1]);

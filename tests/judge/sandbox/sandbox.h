@@ -54,4 +54,7 @@ typedef struct {
 // False only when it could not be started at all.
 bool sandbox_run(SandboxKind kind, const SandboxRun *run, SandboxResult *result, Error *error);
 
+// The name of a system call that the sandbox stopped, to be freed; NULL: this kernel has none of that number.
+char *sandbox_call_name(long long number);
+
 #endif

@@ -11,12 +11,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
+#if defined(__linux__)
+#include <sys/syscall.h>
+#endif
 
 // Descriptors of the child, before it becomes the program.
 enum { RESULT_FD = 3, RULES_FD = 4, COMPLAINT_FD = 5, FIRST_OTHER_FD = 6 };
@@ -64,13 +65,19 @@ char *sandbox_find_program(const char *name)
     return NULL;
 }
 
-static void limit(int what, double soft, double hard)
+#if defined(__GLIBC__)
+typedef __rlimit_resource_t Resource;
+#else
+typedef int Resource;
+#endif
+
+static void limit(Resource what, double soft, double hard)
 {
     struct rlimit wanted = {(rlim_t)soft, (rlim_t)hard}, there;
-    if (getrlimit((__rlimit_resource_t)what, &there) == 0 && there.rlim_max < wanted.rlim_max)
+    if (getrlimit(what, &there) == 0 && there.rlim_max < wanted.rlim_max)
         wanted.rlim_max = there.rlim_max;
     wanted.rlim_cur = wanted.rlim_cur < wanted.rlim_max ? wanted.rlim_cur : wanted.rlim_max;
-    setrlimit((__rlimit_resource_t)what, &wanted);
+    setrlimit(what, &wanted);
 }
 
 static void set_limits(SandboxKind kind, const SandboxRun *run)
@@ -144,7 +151,7 @@ void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launc
             complain(problem, path);
         path = launch->arguments.list[0];
     }
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    sandbox_end_with_parent();
     if (launch->ruleset_fd >= 0 && !sandbox_landlock_enter(RULES_FD))
         complain("Landlock's rules are refused", "");
     if ((kind == SANDBOX_UID || kind == SANDBOX_LANDLOCK) && !sandbox_filter_enter(launch))

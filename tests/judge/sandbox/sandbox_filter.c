@@ -10,6 +10,7 @@
 #include <linux/seccomp.h>
 #include <sched.h>
 #include <seccomp.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -155,4 +156,14 @@ bool sandbox_filter_enter(const Launch *launch)
 {
     struct sock_fprog program = {(unsigned short)(launch->filter_size / sizeof(struct sock_filter)), launch->filter};
     return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+void sandbox_end_with_parent(void)
+{
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
+char *sandbox_call_name(long long number)
+{
+    return seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, (int)number);
 }

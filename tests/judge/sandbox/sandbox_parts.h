@@ -50,6 +50,8 @@ int sandbox_filter(SandboxKind kind, const SandboxRun *run, Error *error);
 bool sandbox_filter_read(Launch *launch, Error *error);
 // In the child: from here on the filter holds. False: errno.
 bool sandbox_filter_enter(const Launch *launch);
+// In the child: it is killed when the judge ends, however that ends, where the kernel can.
+void sandbox_end_with_parent(void);
 
 // Arguments of bwrap around those of the run.
 bool sandbox_bubblewrap(const SandboxRun *run, Launch *launch, Error *error);
