@@ -14,6 +14,7 @@ for target in "$@"; do
         packages="$packages libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool gnuplot-nox"
         ;;
     esac
+    case $target in check-macos | check-elsewhere | check-ci) packages="$packages python3-pip" ;; esac
 done
 # Newer systems have dropped these, or call them otherwise.
 where_there_is="libosmesa6"
