@@ -4,14 +4,14 @@
 set -eu
 
 packages="gcc make pkg-config libpng-dev libyaml-dev binutils libgsl-dev libjansson-dev libseccomp-dev bubblewrap gdb
- libglfw3-dev libstb-dev libegl1 libgl1-mesa-dri pandoc"
+ libglfw3-dev libstb-dev fonts-dejavu-core libegl1 libgl1-mesa-dri pandoc"
 [ ! -f tests/class/teacher.mk ] || packages="$packages libarchive-dev parallel zip unzip"
 for target in "$@"; do
     case $target in
     bench) packages="$packages g++ libnanoflann-dev libembree-dev povray xz-utils" ;;
     wasm | site | check-wasm | check-site) packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs" ;;
     check* | class-trial | reference | agreement | bench-* | calibrate | fuzz | *figures | *-table)
-        packages="$packages libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool gnuplot-nox"
+        packages="$packages libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"
         ;;
     esac
     case $target in check-macos | check-elsewhere | check-ci) packages="$packages python3-pip" ;; esac
@@ -21,15 +21,15 @@ where_there_is="libosmesa6"
 case " $* " in *" fuzz "*) where_there_is="$where_there_is libclang-rt-dev" ;; esac
 
 others='photonlab needs a C99 compiler, GNU make, libpng and libyaml; make test also GSL, jansson, libseccomp, bubblewrap,
-libarchive and gdb; make preview GLFW, the stb headers and OSMesa or EGL; make notes pandoc, its figures gnuplot; its own tests also
-cmocka, clang with OpenMP, xz, patch, GNU parallel, zip, unzip, jq, xmllint, perl, python3, Xvfb and xdotool.
+libarchive and gdb; make preview GLFW, the stb headers, the font DejaVu Sans and OSMesa or EGL; make notes pandoc, its figures gnuplot; its own tests also
+cmocka, clang with OpenMP, xz, patch, GNU parallel, zip, unzip, jq, xmllint, perl, python3, Xvfb, xprop and xdotool.
   Fedora     sudo dnf install gcc make pkgconf libpng-devel libyaml-devel libcmocka-devel clang libomp-devel xz \
                  gsl-devel jansson-devel libseccomp-devel libarchive-devel bubblewrap gdb binutils patch parallel zip unzip jq libxml2 perl python3 \
-                 glfw-devel stb_easy_font-devel mesa-libEGL mesa-dri-drivers xorg-x11-server-Xvfb xdotool pandoc gnuplot
+                 glfw-devel stb_truetype-devel dejavu-sans-fonts mesa-libEGL mesa-dri-drivers xorg-x11-server-Xvfb xprop xdotool pandoc gnuplot
   Arch       sudo pacman -S gcc make pkgconf libpng libyaml cmocka clang openmp xz gsl jansson libseccomp libarchive bubblewrap gdb \
-                 binutils patch parallel zip unzip jq libxml2 perl glfw stb mesa xorg-server-xvfb xdotool pandoc-cli gnuplot
+                 binutils patch parallel zip unzip jq libxml2 perl glfw stb ttf-dejavu mesa xorg-server-xvfb xorg-xprop xdotool pandoc-cli gnuplot
   Homebrew   brew install make pkg-config libpng libyaml cmocka llvm libomp xz gsl jansson libarchive parallel jq \
-                 glfw mesa pandoc gnuplot; stb_easy_font.h by hand, without it the preview has no text
+                 glfw mesa pandoc gnuplot; stb_truetype.h by hand, without it the preview has no text
              (the sandbox of make test is for Linux alone: on macOS use a Linux machine or container for it)'
 
 if ! command -v apt-get >/dev/null 2>&1; then

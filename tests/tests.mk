@@ -70,7 +70,7 @@ exercises:
 	@bash tests/steps/make_exercises.sh write
 
 ##check beside check-preview  the window: faults, keys, the same bytes from OSMesa, EGL and GLFW
-check-preview: all meshes
+check-preview: judge meshes
 	@bash tests/preview/check.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND)
 
 ##check beside check-attacks  every attack costs its step, and nothing else

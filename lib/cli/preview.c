@@ -52,6 +52,8 @@ static const char help_end[] =
     "  --photons-file FILE  nobody plays: these photons, which `make report` left in build/test/scatter_1/; with\n"
     "                       --reference-file FILE those beside them. Needs --snapshot\n"
     "  --watch DIR --build COMMAND   after each save below DIR: sh -c COMMAND sh SOURCE.c OBJECT.so, and new photons\n"
+    "  --judge COMMAND      … and sh -c COMMAND sh ID, whose verdict of the step stands in the panel\n"
+    "  --stage N            the step to begin with is one of this stage\n"
     "  --report FILE        what the key `o` opens\n"
     "  --orbit SECONDS      the window turns by itself for so long, and tells how many frames a second it made\n";
 
@@ -59,7 +61,7 @@ typedef struct {
     const char *scene, *camera, *framing, *steps;
     Choice view, colour, context, integrator, radii;
     int size[2];
-    bool frame, no_wireframe, split;
+    bool frame, no_wireframe, split, bare;
     float flight;
     double settings[VIEW_COUNT][MOST_SETTINGS];
     PreviewOptions options;
@@ -159,7 +161,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"render", FLAG_INT, &o->render, 1, 1000000},
         {"integrator", FLAG_CHOICE, &a->integrator, 0, 0},
         {"radii", FLAG_CHOICE, &a->radii, 0, 0},
-        {"bare", FLAG_PRESENT, &o->bare, 0, 0},
+        {"bare", FLAG_PRESENT, &a->bare, 0, 0},
         {"no-wireframe", FLAG_PRESENT, &a->no_wireframe, 0, 0},
         {"context", FLAG_CHOICE, &a->context, 0, 0},
         {"code", FLAG_TEXT, &o->code, 0, 0},
@@ -167,6 +169,8 @@ static int parse(int count, char **arguments, Arguments *a)
         {"reference-file", FLAG_TEXT, &o->given[1], 0, 0},
         {"watch", FLAG_TEXT, &o->source, 0, 0},
         {"build", FLAG_TEXT, &o->build, 0, 0},
+        {"stage", FLAG_INT, &o->stage, 1, STAGE_COUNT},
+        {"judge", FLAG_TEXT, &o->judge, 0, 0},
         {"report", FLAG_TEXT, &o->report, 0, 0},
         {"orbit", FLAG_FLOAT, &o->orbit_seconds, 0, 3600},
     };
@@ -181,6 +185,12 @@ static int parse(int count, char **arguments, Arguments *a)
     return wrong ? wrong : check(a) ? 0 : EXIT_USAGE;
 }
 
+// Pictures, and no window.
+static bool is_still(const PreviewOptions *options)
+{
+    return options->every_save || (options->snapshot && !options->source);
+}
+
 // What the flags say about the view, over what the scene suggests.
 static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *error)
 {
@@ -190,6 +200,7 @@ static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *
     view->split = a->split || a->options.given[1];
     view->wireframe = !a->no_wireframe;
     view->flight = (double)a->flight;
+    view->panel = a->bare ? 0.0f : is_still(&a->options) ? NARROW_PANEL : WIDE_PANEL;
     memcpy(view->settings, a->settings, sizeof view->settings);
     Vec3 p, t;
     char after;
@@ -211,7 +222,7 @@ static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *
 static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *error)
 {
     PreviewOptions options = a->options;
-    if (options.every_save || (options.snapshot && !options.source))
+    if (is_still(&options))
         return preview_snapshot(scene, &options, broker, error);
     bool no_window = false;
     if (!options.snapshot)

@@ -98,6 +98,7 @@ static void on_size(Window *window, int width, int height)
     Error error = {""};
     app->width = width;
     app->height = height;
+    app->view.scale = window_scale(window); // it may have moved to another monitor
     if (width > 0 && height > 0 && !canvas_resize(app->canvas, width, height, &error))
         fprintf(stderr, "%s\n", error.message);
     session_stop_render(&app->session);

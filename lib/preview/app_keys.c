@@ -105,7 +105,15 @@ static void next_colour(App *app)
 
 static void frame_all(App *app)
 {
-    view_frame(&app->view, app->scene, (float)app->width / (float)app->height);
+    Area area = view_area(app->canvas, &app->view);
+    view_frame(&app->view, app->scene, (float)area.width / (float)area.height);
+    app_moved(app);
+}
+
+// The picture alone, or words beside it.
+static void toggle_panel(App *app)
+{
+    app->view.panel = app->view.panel > 0.0f ? 0.0f : WIDE_PANEL;
     app_moved(app);
 }
 
@@ -114,6 +122,16 @@ static void look_as_at_first(App *app)
     app->view.orbit = app->session.options->view.orbit;
     app->view.framing = app->session.options->view.framing;
     app_moved(app);
+}
+
+static void next_step(App *app)
+{
+    session_next_step(&app->session);
+}
+
+static void hint(App *app)
+{
+    session_hint(&app->session);
 }
 
 static void quit(App *app)
@@ -136,10 +154,7 @@ static bool toggle_setting(App *app)
 
 static void list_views(char *text, size_t size)
 {
-    char keys[2 * VIEW_COUNT + 1] = "";
-    for (int i = 0; i < VIEW_COUNT; i++)
-        text_append(keys, sizeof keys, "%s%d", i == 0 ? "" : " ", i + 1);
-    text_append(text, size, "%-10s  ", keys);
+    text_append(text, size, "1 to %d\t", VIEW_COUNT);
     for (int i = 0; i < VIEW_COUNT; i++)
         text_append(text, size, "%s%s", i == 0 ? "" : ", ", view_names[i]);
 }
@@ -150,14 +165,14 @@ static void list_choices(char *text, size_t size)
     for (int i = 0; i < VIEW_COUNT; i++)
         if (view_types[i]->arrows)
             text_append(text, size, "%s%s: %s",
-                        ++count == 1 ? "arrows      "
-                        : count % 2  ? "\n            "
+                        ++count == 1 ? "arrows\t"
+                        : count % 2  ? "\n\t"
                                      : ". ",
                         view_names[i], view_types[i]->arrows);
     for (int i = 0; i < VIEW_COUNT; i++)
         for (int j = 0; j < MOST_SETTINGS; j++)
             if (view_types[i]->settings[j].key)
-                text_append(text, size, "\n%-12c%s: %s", view_types[i]->settings[j].key, view_names[i],
+                text_append(text, size, "\n%c\t%s: %s", view_types[i]->settings[j].key, view_names[i],
                             view_types[i]->settings[j].words);
 }
 
@@ -184,11 +199,14 @@ static const struct {
     {"space", "slow light: photons in order of flight", toggle_flight_where_it_shows, .keys = {' '}},
     {"+ -", "more, fewer photons", change_photons, .keys = {'+', '-'}},
     {"r", "another seed", change_seed, .keys = {'r'}, .beside = true},
+    {"t", "the panel", toggle_panel, .keys = {'t'}, .beside = true},
     {"p", "render what you see, by your code", toggle_render, .keys = {'p'}},
     {"i", "how: photons, gathered, by passes", next_way, .keys = {'i'}, .beside = true},
     {"w", "wireframe", .toggle = offsetof(App, view.wireframe), .keys = {'w'}},
     {"s", "snapshot", save_snapshot, .keys = {'s'}, .beside = true},
     {"o", "report", open_report, .keys = {'o'}, .beside = true},
+    {"n", "the next step", next_step, .keys = {'n'}},
+    {"?", "a hint for this one, each tells more", hint, .keys = {'?'}, .beside = true},
     {"h", "this list", .toggle = offsetof(App, view.help), .keys = {'h'}},
     {"q, esc", "quit", quit, .keys = {'q', GLFW_KEY_ESCAPE}, .beside = true},
 };
@@ -204,7 +222,7 @@ const char *app_key_list(void)
         if (KEYS[i].list)
             KEYS[i].list(text, sizeof text);
         else
-            text_append(text, sizeof text, KEYS[i].beside ? "%s  %s" : "%-10s  %s", KEYS[i].shown, KEYS[i].words);
+            text_append(text, sizeof text, KEYS[i].beside ? "%s  %s" : "%s\t%s", KEYS[i].shown, KEYS[i].words);
     }
     return text;
 }

@@ -11,6 +11,8 @@ typedef struct {
     const char *code;     // folder of the student's objects; NULL: the reference plays everything
     const char *source;   // folder of the student's .c files, watched; NULL: nothing is
     const char *build;    // shell command that makes an object of one file; see watch.h
+    int stage;            // whose steps come first; 0: any
+    const char *judge;    // shell command that judges a step; see judging.h. NULL: nobody does
     const char *report;   // what the key `o` opens; NULL: nothing
     const char *snapshot; // the picture to write
     bool every_save;      // the same again after each, until the program is ended
@@ -25,7 +27,6 @@ typedef struct {
     int integrator;      // of pictures that are rendered: an Integrator; −1: as the scene says
     RadiiRule radii;     // of their passes
     int render;          // the picture is shown, and not photons: in a snapshot after so many passes. 0: photons
-    bool bare;           // no text in the picture
     float orbit_seconds; // the window turns by itself for so long, and tells how fast; 0: it does not
     ContextKind context; // a snapshot is drawn in
     bool in_window;      // … in a hidden one: --context window

@@ -7,13 +7,18 @@ PREVIEW_SNAPSHOT = $(BUILD)/preview.png
 
 # What a stage is about is what its preview renders.
 STAGE_FLAGS      = $(if $(filter 4,$(STAGE)),--integrator gather) $(if $(filter 5,$(STAGE)),--radii pass) $(if $(filter 6,$(STAGE)),--spectral)
+PREVIEW_JUDGE    = $(call quoted,nice $(JUDGE) --build $(BUILD) --work $(BUILD)/verdicts --code $(call quoted,$(CODE)) --jobs 1 --lines --step "$$1" 2>&1)
 PREVIEW_FLAGS    = --code '$(CODE_BUILD)' --watch $(call quoted,$(CODE_SOURCE)) --build $(STEP_COMMAND) --report '$(BUILD)/report/index.html'
 
 .PHONY: preview snapshot
 
-## preview  your photons, new after every save: make preview [STAGE=3] [SCENE=scenes/prism.yaml]
+## preview  your photons, new after every save, and the step judged beside: make preview [STAGE=3] [SCENE=scenes/prism.yaml]
+# Where the judge cannot be built, for want of a library say, the window goes without.
 preview: all meshes code-built
-	@$(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) $(PREVIEW_FLAGS) $(STAGE_FLAGS) $(FLAGS)
+	@[ -x $(JUDGE) ] || echo "  building the judge"
+	@if $(MAKE) --no-print-directory judge >$(BUILD)/judge.log 2>&1; then set -- --judge $(PREVIEW_JUDGE); \
+	else echo "the judge does not build here, see $(BUILD)/judge.log: the window judges nothing"; set --; fi; \
+	$(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) $(PREVIEW_FLAGS) "$$@" $(if $(STAGE),--stage $(STAGE)) $(STAGE_FLAGS) $(FLAGS)
 
 ## snapshot  the same as a picture, build/preview.png: [FLAGS="--view paths"]
 snapshot: all meshes code-built

@@ -124,6 +124,7 @@ static bool start(App *app, const Scene *scene, const PreviewOptions *options, B
 {
     app->scene = scene;
     app->view = options->view;
+    app->view.scale = window_scale(app->window);
     glfw.glfwGetFramebufferSize(app->window, &app->width, &app->height);
     app->canvas = canvas_create(window_loader(), app->width, app->height, error);
     if (!app->canvas || !session_start(&app->session, scene, options, &app->view, broker, app->canvas, error))

@@ -20,9 +20,13 @@ bool session_start(Session *session, const Scene *scene, const PreviewOptions *o
     for (int i = 0; i < DATA_COUNT; i++)
         if (!(session->data[i] = view_data_create(canvas, scene)))
             return error_set(error, "not enough memory for the preview");
+    if (!canvas_has_letters() && view->panel > 0.0f)
+        puts("no font, so no words in the picture; Debian, Ubuntu: apt-get install fonts-dejavu-core");
     if (options->source && options->build &&
         !(session->watch = watch_start(options->source, options->code, options->build, error)))
         return false;
+    if (session->watch && options->judge && !(session->judging = judging_start(options->judge)))
+        return error_set(error, "not enough memory for the preview");
     if (!options->given[YOURS])
         session_ask_photons(session);
     return true;
@@ -35,6 +39,7 @@ void session_end(Session *session)
             session_stop(&session->runs[kind][i]);
     for (int i = 0; i < DATA_COUNT; i++)
         view_data_free(session->data[i]);
+    judging_stop(session->judging);
     watch_stop(session->watch);
 }
 
@@ -73,6 +78,7 @@ static bool poll_watch(Session *session)
     if (event == WATCH_FAILED) {
         session->fault[0] = '\0'; // the same mistake after another save is told again
         fault(session, session->build);
+        session_note_broken(session, watch_step(session->watch), session->build);
         return true;
     }
     puts(session->build);
@@ -80,7 +86,8 @@ static bool poll_watch(Session *session)
     if (session->warning[0])
         puts(session->warning);
     rebuilt(session);
-    return false; // its photons are soon there
+    session_judge(session, watch_step(session->watch));
+    return session->judging; // its photons are soon there
 }
 
 // A student saves, and nothing changes: another step does that work.
@@ -104,6 +111,7 @@ static void take_photons(Session *session, const RunStatus *status)
     snprintf(session->notice, sizeof session->notice, "%s", status->notice);
     const Recording *recording = view_data_recording(session->data[YOURS]);
     tell_if_not_played(session, recording);
+    session_note_states(session, recording);
     // What another step's last build said is still true.
     snprintf(session->fault, sizeof session->fault, "%s", session->watch ? watch_broken(session->watch) : "");
     printf("%zu photons stored of %ld emitted, %.2f s after the %s\n", recording->count, recording->emitted,
@@ -172,6 +180,7 @@ bool session_poll(Session *session)
 {
     bool news = poll_watch(session);
     news |= look_at_scene(session);
+    news |= session_poll_judge(session);
     for (int i = 0; i < PLAYERS; i++)
         for (int kind = 0; kind < RUN_KINDS; kind++)
             news |= poll_run(session, (RunKind)kind, i);

@@ -117,14 +117,15 @@ void session_need(Session *session)
 void session_render(Session *session)
 {
     int parts = session->view->split ? PLAYERS : 1;
+    Area area = view_area(session->canvas, session->view);
     for (int i = 0; i < parts; i++) {
         RunRequest request = request_for(session, i, RUN_RENDER);
         request.integrator = session->integrator;
         request.radii = session->radii;
         request.passes = session->most_passes;
         request.camera = orbit_camera(&session->view->orbit);
-        request.width = canvas_width(session->canvas) / parts;
-        request.height = canvas_height(session->canvas);
+        request.width = area.width / parts;
+        request.height = area.height;
         session->have[RUN_RENDER][i] = false;
         start(session, i, &request);
     }

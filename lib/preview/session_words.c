@@ -40,7 +40,9 @@ static void list_status(const Session *session, char *text, size_t size)
                     : session->radii == RADII_BY_PASS ? ", radii by pass"
                                                       : ", radii by pixel",
                     passes, passes == 1 ? "" : "es");
-    if (session->options->code) {
+    if (session->judging) { // the panel has the rest
+        list_steps(recording, true, false, " | built, not played: ", text, size);
+    } else if (session->options->code) {
         if (!list_steps(recording, true, true, " | your code: ", text, size))
             text_append(text, size, " | your code: nothing yet");
         list_steps(recording, true, false, " | built, not played: ", text, size);
@@ -86,9 +88,11 @@ void session_draw(const Session *session, const View *view, const char *help)
     char status[700], banner[2000];
     list_status(session, status, sizeof status);
     list_faults(session, banner, sizeof banner);
-    Captions captions = {.help = help, .bare = session->options->bare};
+    Captions captions = {.help = help,
+                         .banner = banner,
+                         .verdicts = session->judging ? &session->verdicts : NULL,
+                         .source = session->options->source};
     captions.status = session->options->given[YOURS] ? NULL : status;
-    captions.banner = banner;
     for (int i = 0; i < PLAYERS; i++)
         captions.pictures[i] = picture_of(session->runs[RUN_RENDER][i]);
     view_draw(session->canvas, view, session_yours(session), session->data[REFERENCE], &captions);

@@ -47,6 +47,7 @@ static Window *open_window(const char *title, int width, int height)
     glfw.glfwWindowHint(GLFW_DEPTH_BITS, 0); // the canvas has its own
     glfw.glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfw.glfwWindowHint(GLFW_VISIBLE, title != NULL);
+    glfw.glfwWindowHint(GLFW_SCALE_TO_MONITOR, title != NULL);
     return glfw.glfwCreateWindow(width, height, title ? title : "", NULL, NULL);
 }
 
@@ -75,6 +76,13 @@ void window_free(Window *window)
         return;
     glfw.glfwDestroyWindow(window);
     glfw.glfwTerminate();
+}
+
+float window_scale(Window *window)
+{
+    float across = 1.0f, down = 1.0f;
+    glfw.glfwGetWindowContentScale(window, &across, &down);
+    return across >= 0.5f && across <= 8.0f ? across : 1.0f;
 }
 
 static void *address_of(const char *name)

@@ -10,7 +10,7 @@
 // clang-format off
 #define GLFW_FUNCTIONS(X) \
     X(glfwCreateWindow) X(glfwDestroyWindow) X(glfwGetError) X(glfwGetFramebufferSize) X(glfwGetProcAddress) \
-    X(glfwGetWindowSize) X(glfwGetWindowUserPointer) X(glfwInit) X(glfwMakeContextCurrent) X(glfwPollEvents) \
+    X(glfwGetWindowContentScale) X(glfwGetWindowSize) X(glfwGetWindowUserPointer) X(glfwInit) X(glfwMakeContextCurrent) X(glfwPollEvents) \
     X(glfwSetCharCallback) X(glfwSetCursorPosCallback) X(glfwSetFramebufferSizeCallback) X(glfwSetKeyCallback) \
     X(glfwSetMouseButtonCallback) X(glfwSetScrollCallback) X(glfwSetWindowCloseCallback) \
     X(glfwSetWindowRefreshCallback) X(glfwSetWindowUserPointer) X(glfwSwapBuffers) X(glfwSwapInterval) \
@@ -32,6 +32,8 @@ typedef GLFWwindow Window;
 // to install), no OpenGL 3.3.
 Window *window_create(const char *title, int width, int height, Error *error);
 void window_free(Window *window);
+float window_scale(
+    Window *window); // of words, on this monitor: 1 where they are as large as a screen of 96 dots an inch has them
 
 GlLoader window_loader(void); // of the context that is present
 

@@ -22,6 +22,7 @@ static const char help[] =
     "  --first-round     no confirmation of failures by chance (to measure how often they are)\n"
     "  --features        print each step's features, for the table of mistakes\n"
     "  --scatters N      the stages' scatters alone, with N salts: a line \"STAGE STATUS P THRESHOLD MESSAGE\" each\n"
+    "  --lines           for programs: a line a step: id, status, sentence, where, what it looks like, parted by tabs\n"
     "  --verbose         show the checks of steps that pass, too\n"
     "\n"
     "PHOTONLAB_SALT in the environment, which no other user can read, gives other random numbers;\n"
@@ -77,6 +78,7 @@ int arguments_parse(int count, char **arguments, Arguments *a)
         {"sanitized", FLAG_PRESENT, &sanitized, 0, 0},
         {"first-round", FLAG_PRESENT, &g->first_round_only, 0, 0},
         {"features", FLAG_PRESENT, &a->features, 0, 0},
+        {"lines", FLAG_PRESENT, &a->lines, 0, 0},
         {"verbose", FLAG_PRESENT, &a->verbose, 0, 0},
     };
     int wrong = command_line_parse(&(CommandLine){"judge", help, "flags alone", flags, FLAG_COUNT(flags), 0, 1}, count,

@@ -12,7 +12,7 @@ typedef struct {
     GradeOptions grade;
     const char *step, *report, *points;
     int stage, jobs, scatters;
-    bool credit, strict, features, verbose;
+    bool credit, strict, features, verbose, lines;
 } Arguments;
 
 // 0; or, all said, the exit code or HELP_SHOWN.

@@ -165,6 +165,8 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
     stages_grade(a, results, count, stages);
     if (a->features)
         features_print(stdout, results, count);
+    else if (a->lines)
+        print_lines_of_steps(results, count);
     else
         print_results(results, count, stages, a->verbose);
     if (a->verbose && !a->features)

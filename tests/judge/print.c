@@ -277,3 +277,27 @@ void print_results(const StepResult *results, int count, const StageResult *stag
     print_sums(results, count);
     fflush(stdout);
 }
+
+// One line's field, behind a tab.
+static void print_field(const char *text)
+{
+    char *copy = clean(text);
+    for (char *at = copy; *at; at++)
+        *at = *at == '\t' || *at == '\n' ? ' ' : *at;
+    printf("\t%s", copy);
+    free(copy);
+}
+
+void print_lines_of_steps(const StepResult *results, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (results[i].hidden)
+            continue;
+        printf("%s\t%s", results[i].step->id, status_table[results[i].status].name);
+        print_field(results[i].words.message);
+        print_field(results[i].words.where);
+        print_field(results[i].looks_like);
+        putchar('\n');
+    }
+    fflush(stdout);
+}

@@ -10,6 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/pictures.sh"
 . "$here/drills.sh"
 . "$here/keys.sh"
+. "$here/verdicts.sh"
 
 trap 'window_end; rm -rf "$work"' EXIT
 for tool in Xvfb xdotool; do
@@ -22,4 +23,5 @@ display_start && window_start "$work/box_diffuse.yaml" --photons 20000 --size 64
 check_drills
 check_keys
 check_close
+check_verdicts "$2"
 finish

@@ -20,7 +20,7 @@ display_start() {
     local width=${1:-1280} height=${2:-720}
     mkdir -p "$work/screen"
     rm -f "$work/display"
-    Xvfb -displayfd 3 -screen 0 "${width}x${height}x24" -fbdir "$work/screen" 3>"$work/display" >"$work/xvfb.log" 2>&1 &
+    Xvfb -noreset -displayfd 3 -screen 0 "${width}x${height}x24" -fbdir "$work/screen" 3>"$work/display" >"$work/xvfb.log" 2>&1 &
     xvfb=$!
     wait_for 10 test -s "$work/display" || return 1
     DISPLAY=:$(cat "$work/display")

@@ -38,6 +38,8 @@ check_keys() {
     differs "0: the scene's camera" key 0
     differs "c: colours" key c
     differs "w: no wireframe" key w
+    differs "t: the picture alone" key t
+    key t
     differs "r: other photons" key_and_photons r
     differs "+: more photons" key_and_photons plus
     differs "-: fewer photons" key_and_photons minus

@@ -54,10 +54,15 @@ void vertex_buffer_draw(Canvas *canvas, const VertexBuffer *buffer, size_t first
 // For what changes with every frame.
 void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const DrawStyle *style);
 
-// Printable ASCII (of others a few are written out, the rest show as `?`), line by line from the top left in pixels; scale 1: letters about 7 pixels high,
-// lines 12 pixels apart. Within the whole canvas, whatever canvas_view says.
+// UTF-8, line by line from the top left in pixels, in the system's DejaVu Sans; what it has no letter for shows as `?`, and a tab
+// goes to the next column. Within the whole canvas, whatever canvas_view says. Scale 1, pixels:
+#define EM          14.0f
+#define LINE_HEIGHT 18.0f // from line to line
+#define BASE_LINE   14.0f // from the top of a line to where its letters stand
 void canvas_text(Canvas *canvas, float x, float y, float scale, Rgba colour, const char *text);
-float canvas_text_width(float scale, const char *text);
+float canvas_text_width(float scale, const char *text); // of the widest line
+// False: there is no such font here, and words are not drawn.
+bool canvas_has_letters(void);
 void canvas_rectangle(Canvas *canvas, float x, float y, float width, float height, Rgba colour);
 // A picture of RGBA bytes, row 0 at the top, stretched over the rectangle.
 void canvas_picture(Canvas *canvas, int x, int y, int width, int height, const uint8_t *rgba, int columns, int rows);

@@ -52,12 +52,12 @@ void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const Dra
     vertex_buffer_draw(canvas, &canvas->stream, 0, count, style);
 }
 
-// Triangles in pixels, over all that was drawn.
-static void draw_flat(Canvas *canvas, const Vertex *vertices, size_t count)
+// In pixels, over all that was drawn.
+static void draw_flat(Canvas *canvas, DrawKind kind, const Vertex *vertices, size_t count)
 {
     CanvasView flat = canvas_flat_view(canvas);
     canvas_use_view(canvas, &flat);
-    canvas_draw(canvas, vertices, count, &(DrawStyle){.kind = DRAW_TRIANGLES});
+    canvas_draw(canvas, vertices, count, &(DrawStyle){.kind = kind});
     canvas_use_view(canvas, &canvas->view);
 }
 
@@ -65,7 +65,7 @@ void canvas_text(Canvas *canvas, float x, float y, float scale, Rgba colour, con
 {
     size_t count;
     Vertex *vertices = text_vertices(x, y, scale, colour, text, &count);
-    draw_flat(canvas, vertices, count);
+    draw_flat(canvas, DRAW_POINTS, vertices, count);
     free(vertices);
 }
 
@@ -77,7 +77,7 @@ void canvas_rectangle(Canvas *canvas, float x, float y, float width, float heigh
         float right = CORNERS[i] & 1 ? width : 0, down = CORNERS[i] & 2 ? height : 0;
         vertices[i] = (Vertex){x + right, y + down, 0, colour.r, colour.g, colour.b, colour.a};
     }
-    draw_flat(canvas, vertices, 6);
+    draw_flat(canvas, DRAW_TRIANGLES, vertices, 6);
 }
 
 void canvas_picture(Canvas *canvas, int x, int y, int width, int height, const uint8_t *rgba, int columns, int rows)

@@ -26,7 +26,7 @@ void canvas_use_view(Canvas *canvas, const CanvasView *view);
 // Pixels from the top left, over the whole canvas.
 CanvasView canvas_flat_view(const Canvas *canvas);
 
-// Triangles of the text's letters, at (x, y) in pixels; to be freed.
+// Pixels that the text's letters cover, its top left at (x, y); to be freed.
 Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *text, size_t *count);
 
 #endif

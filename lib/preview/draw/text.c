@@ -1,103 +1,180 @@
-// Letters made of small rectangles, by stb_easy_font: no font file, no texture. Where it was missing when the program
-// was built, the preview has no words.
+// Letters of a TrueType font of the system, by stb_truetype: each is painted once for each size, and then drawn pixel by pixel as
+// points that cover as much as the letter does there. No texture, and the same bytes from every OpenGL.
 #include "preview/draw/canvas_internal.h"
 
+#include "base/array.h"
+#include "base/file.h"
+
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#if defined(__has_include)
+#if __has_include(<stb/stb_truetype.h>)
+#define FONT_HEADER <stb/stb_truetype.h>
+#elif __has_include(<stb_truetype.h>)
+#define FONT_HEADER <stb_truetype.h>
+#endif
+#endif
+
+#define TAB 7.0f // ems between places that a tab goes to
+
+#ifdef FONT_HEADER
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wsign-compare"
-#pragma GCC diagnostic ignored "-Wchar-subscripts"
+#pragma GCC diagnostic ignored "-Wshadow"
 #endif
-#if defined(__has_include)
-#if __has_include(<stb/stb_easy_font.h>)
-#include <stb/stb_easy_font.h>
-#define HAVE_FONT 1
-#elif __has_include(<stb_easy_font.h>)
-#include <stb_easy_font.h>
-#define HAVE_FONT 1
-#endif
-#endif
+#define STB_TRUETYPE_IMPLEMENTATION
+#define STBTT_STATIC
+#include FONT_HEADER
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
 
-#ifdef HAVE_FONT
+#define MOST_FONT_BYTES (16u << 20)
+#define GLYPHS          1024 // that are kept painted; a power of two
 
-#define QUADS_PER_LETTER 16 // at most: @ has 14
+static const char *const FONTS[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                    "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+                                    "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf",
+                                    "/System/Library/Fonts/Supplemental/Arial Unicode.ttf"};
 
-// What our own sentences hold beside ASCII; no longer than the UTF-8 it stands for.
-static const char *ascii_for(const char *text)
+typedef struct {
+    uint32_t letter;
+    float scale;
+    unsigned char *cover; // width × height; NULL: not painted yet, or a blank
+    int left, top, width, height;
+    float advance;
+} Glyph;
+
+// One for the whole program, as the system has one.
+static struct {
+    enum { NOT_LOOKED_FOR, MISSING, THERE } state;
+    stbtt_fontinfo info;
+    Glyph glyphs[GLYPHS];
+} font;
+
+bool canvas_has_letters(void)
 {
-    static const char *const pairs[][2] = {{"±", "+-"}, {"×", "x"}, {"…", ".."}, {"°", "o"}, {"·", "|"}, {"−", "-"}};
-    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
-        if (strncmp(text, pairs[i][0], strlen(pairs[i][0])) == 0)
-            return pairs[i][1];
-    return "?";
-}
-
-#define MOST_LETTERS 4096
-
-// The text as the font can show it: it knows 32…126 and the line's end, and reads past its table for anything else.
-// Another letter of several bytes (UTF-8) becomes one `?`.
-static char *printable(const char *text, char letters[MOST_LETTERS])
-{
-    char *end = letters;
-    for (; *text && end < letters + MOST_LETTERS - 3; text++) {
-        unsigned char c = (unsigned char)*text;
-        if ((c & 0xC0) == 0x80)
-            continue;
-        if (c == '\n' || (c >= 32 && c < 127))
-            *end++ = (char)c;
+    const char *wish = getenv("PHOTONLAB_WITHOUT");
+    bool refused = wish && strstr(wish, "font");
+    size_t size;
+    for (size_t i = 0; font.state == NOT_LOOKED_FOR && !refused && i < sizeof FONTS / sizeof *FONTS; i++) {
+        unsigned char *bytes = (unsigned char *)file_read(FONTS[i], MOST_FONT_BYTES, &size, NULL);
+        if (bytes && stbtt_InitFont(&font.info, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)))
+            font.state = THERE;
         else
-            for (const char *letter = c < 128 ? "?" : ascii_for(text); *letter; letter++)
-                *end++ = *letter;
+            free(bytes);
     }
-    *end = '\0';
-    return letters;
+    if (font.state == NOT_LOOKED_FOR)
+        font.state = MISSING;
+    return font.state == THERE;
 }
 
-// Puts the quad of four corners there as two triangles.
-static void put_quad(Vertex *triangles, const Vertex quad[4], float x, float y, float scale)
+// The next character of UTF-8; what is none, or cannot be shown, is a question mark.
+static uint32_t next_letter(const char **text)
 {
-    static const int ORDER[6] = {0, 1, 2, 0, 2, 3};
-    for (int i = 0; i < 6; i++) {
-        triangles[i] = quad[ORDER[i]];
-        triangles[i].x = x + scale * triangles[i].x;
-        triangles[i].y = y + scale * triangles[i].y;
+    const unsigned char *at = (const unsigned char *)*text;
+    int more = at[0] < 0x80 ? 0 : at[0] >= 0xF0 ? 3 : at[0] >= 0xE0 ? 2 : at[0] >= 0xC0 ? 1 : -1;
+    uint32_t letter = more <= 0 ? at[0] : at[0] & (0x3Fu >> more);
+    bool sound = more >= 0;
+    for (int i = 1; i <= more && sound; i++) {
+        sound = (at[i] & 0xC0) == 0x80;
+        letter = letter << 6 | (at[i] & 0x3F);
     }
+    *text += sound ? more + 1 : 1;
+    bool shown = sound && (letter >= 32 || letter == '\n' || letter == '\t') && letter != 127 &&
+                 (letter < 128 || stbtt_FindGlyphIndex(&font.info, (int)letter) != 0);
+    return shown ? letter : '?';
+}
+
+static const Glyph *glyph_of(uint32_t letter, float scale)
+{
+    uint32_t place = (letter * 31 + (uint32_t)(scale * 64.0f)) % GLYPHS;
+    Glyph *glyph = &font.glyphs[place];
+    if (glyph->letter == letter && glyph->scale == scale)
+        return glyph;
+    free(glyph->cover);
+    *glyph = (Glyph){.letter = letter, .scale = scale};
+    float size = stbtt_ScaleForMappingEmToPixels(&font.info, EM * scale);
+    int advance, bearing;
+    stbtt_GetCodepointHMetrics(&font.info, (int)letter, &advance, &bearing);
+    glyph->advance = (float)advance * size;
+    glyph->cover = stbtt_GetCodepointBitmap(&font.info, size, size, (int)letter, &glyph->width, &glyph->height,
+                                            &glyph->left, &glyph->top);
+    return glyph;
+}
+
+typedef struct {
+    float left, x, y, scale;
+} Pen;
+
+// Moves the pen past the letter. NULL: it leaves nothing.
+static const Glyph *write_letter(Pen *pen, uint32_t letter)
+{
+    float tab = TAB * EM * pen->scale;
+    if (letter == '\n') {
+        pen->x = pen->left;
+        pen->y += LINE_HEIGHT * pen->scale;
+        return NULL;
+    }
+    if (letter == '\t') {
+        pen->x = pen->left + tab * floorf((pen->x - pen->left) / tab + 1.0f);
+        return NULL;
+    }
+    const Glyph *glyph = glyph_of(letter, pen->scale);
+    pen->x += glyph->advance;
+    return glyph;
 }
 
 Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *text, size_t *count)
 {
+    Vertex *points = NULL;
+    size_t capacity = 0;
     *count = 0;
-    char letters[MOST_LETTERS];
-    size_t most = strlen(printable(text, letters)) * QUADS_PER_LETTER;
-    Vertex *quads = malloc((most * 4 + 1) * sizeof *quads);
-    Vertex *triangles = malloc((most * 6 + 1) * sizeof *triangles);
-    if (quads && triangles) {
-        unsigned char ink[4] = {colour.r, colour.g, colour.b, colour.a};
-        int made = stb_easy_font_print(0, 0, letters, ink, quads, (int)(most * 4 * sizeof *quads));
-        // Whole pixels: a stroke between two would be there or not by chance.
-        x = (float)(int)(x + 0.5f);
-        y = (float)(int)(y + 0.5f);
-        for (int i = 0; i < made; i++)
-            put_quad(triangles + 6 * i, quads + 4 * i, x, y, scale);
-        *count = 6 * (size_t)made;
+    if (!canvas_has_letters())
+        return NULL;
+    Pen pen = {floorf(x + 0.5f), floorf(x + 0.5f), floorf(y + BASE_LINE * scale + 0.5f), scale};
+    while (*text) {
+        float from = floorf(pen.x + 0.5f), down = floorf(pen.y + 0.5f);
+        const Glyph *glyph = write_letter(&pen, next_letter(&text));
+        size_t cells = glyph && glyph->cover ? (size_t)glyph->width * (size_t)glyph->height : 0;
+        if (!array_reserve(&points, *count + cells, &capacity, sizeof *points))
+            break;
+        for (size_t i = 0; i < cells; i++) {
+            int cover = glyph->cover[i] * colour.a / 255;
+            float right = (float)(glyph->left + (int)(i % (size_t)glyph->width)) + 0.5f;
+            float below = (float)(glyph->top + (int)(i / (size_t)glyph->width)) + 0.5f;
+            if (cover > 0)
+                points[(*count)++] =
+                    (Vertex){from + right, down + below, 0, colour.r, colour.g, colour.b, (uint8_t)cover};
+        }
     }
-    free(quads);
-    return triangles;
+    return points;
 }
 
 float canvas_text_width(float scale, const char *text)
 {
-    char letters[MOST_LETTERS];
-    return scale * (float)stb_easy_font_width(printable(text, letters));
+    float widest = 0.0f;
+    Pen pen = {0.0f, 0.0f, 0.0f, scale};
+    if (!canvas_has_letters())
+        return 0.5f * EM * scale * (float)strlen(text); // so that lines are cut where they would be
+    while (*text) {
+        write_letter(&pen, next_letter(&text));
+        widest = fmaxf(widest, pen.x);
+    }
+    return widest;
 }
 
 #else
+
+bool canvas_has_letters(void)
+{
+    return false;
+}
 
 Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *text, size_t *count)
 {
@@ -108,7 +185,7 @@ Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *te
 
 float canvas_text_width(float scale, const char *text)
 {
-    return 6.0f * scale * (float)strlen(text); // so that lines are cut where they would be
+    return 0.5f * EM * scale * (float)strlen(text);
 }
 
 #endif

@@ -1,4 +1,4 @@
-// What the colours mean, at the right.
+// What the colours mean.
 #include "preview/view/view_internal.h"
 
 #include <stdarg.h>
@@ -66,26 +66,4 @@ void legend_of_photons(const View *view, const ViewData *data, Legend *legend)
 void legend_of_legs(const View *view, const ViewData *data, Legend *legend)
 {
     list_colours(view, data, true, legend);
-}
-
-void legend_draw(Canvas *canvas, const View *view, const ViewData *data, float top)
-{
-    Legend legend = {.count = 0};
-    if (view_type(view)->legend)
-        view_type(view)->legend(view, data, &legend);
-    if (legend.count == 0)
-        return;
-    float scale = overlay_scale(canvas), line = 12.0f * scale, margin = 6.0f * scale, width = 0.0f;
-    for (int i = 0; i < legend.count; i++)
-        width = fmaxf(width, canvas_text_width(scale, legend.entries[i].text));
-    float left = (float)canvas_width(canvas) - width - 2.0f * margin - line;
-    canvas_rectangle(canvas, left, top, (float)canvas_width(canvas) - left, (float)legend.count * line + 1.6f * margin,
-                     (Rgba){12, 15, 22, 150});
-    for (int i = 0; i < legend.count; i++) {
-        float y = top + margin + (float)i * line;
-        Rgba colour = legend.entries[i].colour;
-        colour.a = 255;
-        canvas_rectangle(canvas, left + margin, y, 7.0f * scale, 7.0f * scale, colour);
-        canvas_text(canvas, left + margin + line, y, scale, COLOUR_OF_TEXT, legend.entries[i].text);
-    }
 }

@@ -130,21 +130,40 @@ static void pane_draw(const Pane *pane, const Picture *picture)
     type->draw(pane);
 }
 
+float view_scale(const Canvas *canvas, const View *view)
+{
+    float side = fminf((float)canvas_height(canvas), 0.6f * (float)canvas_width(canvas));
+    return view->scale > 0.0f ? view->scale : fminf(fmaxf(side / 640.0f, 0.7f), 3.0f);
+}
+
+Area view_area(const Canvas *canvas, const View *view)
+{
+    int width = canvas_width(canvas);
+    float panel = fminf(view->panel * EM * view_scale(canvas, view), 0.36f * (float)width);
+    return (Area){0, 0, width - (int)panel, canvas_height(canvas)};
+}
+
+// Of points: whole numbers, so that they stay even.
+static float point_scale(const Canvas *canvas)
+{
+    float side = fminf((float)canvas_height(canvas), 0.6f * (float)canvas_width(canvas));
+    return side < 640.0f ? 1.0f : side < 1300.0f ? 2.0f : 3.0f;
+}
+
 void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *reference, const Captions *captions)
 {
-    int width = canvas_width(canvas), height = canvas_height(canvas);
+    Area area = view_area(canvas, view);
     bool split = view->split && reference;
-    int half = width / 2;
-    Pane pane = {canvas, yours->scene, view, yours, 0, 0, split ? half : width, height, overlay_scale(canvas)};
+    Pane pane = {canvas,      yours->scene,       view, yours, area.left, area.top, split ? area.width / 2 : area.width,
+                 area.height, point_scale(canvas)};
     canvas_begin(canvas, (Rgba){7, 9, 14, 255});
     pane_draw(&pane, &captions->pictures[0]);
     if (split) {
         pane.data = reference;
-        pane.left = half;
-        pane.width = width - half;
+        pane.left += pane.width;
+        pane.width = area.width - pane.width;
         pane_draw(&pane, &captions->pictures[1]);
-        canvas_rectangle(canvas, (float)half - 1, 0, 2, (float)height, (Rgba){110, 120, 140, 255});
+        canvas_rectangle(canvas, (float)pane.left - 1, 0, 2, (float)area.height, (Rgba){110, 120, 140, 255});
     }
-    if (!captions->bare)
-        overlay_draw(canvas, view, yours, captions);
+    overlay_draw(canvas, view, yours, captions);
 }

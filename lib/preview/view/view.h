@@ -4,6 +4,7 @@
 
 #include "preview/draw/canvas.h"
 #include "preview/record/recording.h"
+#include "preview/record/verdicts.h"
 #include "scene/scene.h"
 
 typedef enum {
@@ -48,6 +49,8 @@ typedef struct {
     double flight;      // photons are drawn that have flown no farther, m; negative: all
     size_t most_points; // drawn; 0: all
     bool help;          // the list of keys
+    float panel;        // width of the column of words beside the picture, ems; 0: there is none, and no words
+    float scale;        // of words, as canvas_text has it; 0: by the picture's size
     double settings[VIEW_COUNT][MOST_SETTINGS];
 } View;
 
@@ -93,6 +96,15 @@ static inline const ViewType *view_type(const View *view)
 }
 
 View view_default(const Scene *scene);
+
+#define NARROW_PANEL 21.0f // ems
+#define WIDE_PANEL   30.0f
+
+// The pixels of the canvas that the picture has, beside the panel.
+typedef struct {
+    int left, top, width, height;
+} Area;
+Area view_area(const Canvas *canvas, const View *view);
 #define FRAMING_DEFAULT ((Framing){1.0f, 0.0f, 0.0f})
 
 // As who holds the scene, or the sheet, moves it: in heights of the picture, to the right and down. Turned is what can be
@@ -108,13 +120,15 @@ typedef struct {
     int columns, rows;
 } Picture;
 
-// What the text around the picture says.
+// What is said beside the picture. How it is said, the panel decides.
 typedef struct {
-    const char *status;  // at the bottom: photons, bounces, time, who plays what, last build; NULL: none
-    const char *banner;  // faults, in red at the top; NULL or "": none
-    const char *help;    // lines of keys; shown when view->help
-    Picture pictures[2]; // in place of the photons, yours and the reference's
-    bool bare;           // nothing but the picture: no text, no bars, no legend
+    const char *status;       // photons, bounces, time, who plays what, last build; NULL: none
+    const char *banner;       // faults; NULL or "": none
+    bool banner_is_old;       // a newer build is under way
+    const Verdicts *verdicts; // NULL: nobody judges
+    const char *source;       // the folder of the steps' files
+    const char *help;         // lines of keys; shown when view->help
+    Picture pictures[2];      // in place of the photons, yours and the reference's
 } Captions;
 
 // Draws everything; `reference` is needed for a split view only. Leaves the finished picture in the canvas.

@@ -52,7 +52,7 @@ struct Pane {
     const View *view;
     ViewData *data;
     int left, top, width, height; // pixels
-    float scale;                  // of the text, and of points
+    float scale;                  // of points
 };
 
 // Everything is moved by so many pixels: lines drawn twice are twice as wide.
@@ -142,12 +142,12 @@ void legend_add(Legend *legend, Rgba colour, const char *format, ...) PRINTF_LIK
 // ViewType.legend of views whose colours are View.colour: photons where they lie, and legs, which fly to any material.
 void legend_of_photons(const View *view, const ViewData *data, Legend *legend);
 void legend_of_legs(const View *view, const ViewData *data, Legend *legend);
-void legend_draw(Canvas *canvas, const View *view, const ViewData *data, float top);
 
 // ---- words ----
-float overlay_scale(const Canvas *canvas);
+float view_scale(const Canvas *canvas, const View *view);
 // Breaks lines at spaces so that they fit; returns how many there are. At most `most`: the last then ends in "..".
 int overlay_wrap(const char *text, float scale, float width, int most, char *wrapped, size_t size);
 void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const Captions *captions);
+void panel_draw(Canvas *canvas, const View *view, const ViewData *yours, const Captions *captions);
 
 #endif

@@ -38,6 +38,7 @@ void stage_result_free(StageResult *result);
 void scatter_draw(const GradeOptions *options, const char *directory, StageResult *result);
 
 // What the person at the terminal reads. The stages are STAGE_COUNT, each with its number, or 0 where none was asked for.
+void print_lines_of_steps(const StepResult *results, int count); // as --lines says
 void print_results(const StepResult *results, int count, const StageResult *stages, bool verbose);
 
 // Where a stage's photons fly.

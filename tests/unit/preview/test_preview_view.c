@@ -227,7 +227,7 @@ TEST(every_view_draws)
     view_draw(canvas, &view, empty, NULL, &captions); // nothing is there yet
     view_data_record(data, recording_of(scene, 100000));
     view.wireframe = false;
-    captions.bare = true;
+    view.panel = 0;
     view_draw(canvas, &view, data, NULL, &captions);
     double all = mean_brightness(canvas);
     view.most_points = view_data_recording(data)->count / 10;
@@ -239,7 +239,7 @@ TEST(every_view_draws)
     view_draw(canvas, &view, data, NULL, &captions);
     assert_true(mean_brightness(canvas) < 0.3 * all);
     view.flight = -1;
-    captions.bare = false;
+    view.panel = 20;
     captions.banner = "1.3_scatter_diffuse.c:14: scatter_diffuse: segmentation fault, wrapped because it is long";
     view.wireframe = view.split = view.help = true;
     for (int kind = 0; kind < VIEW_COUNT; kind++)

@@ -1,0 +1,167 @@
+// The column of words beside the picture: what is wrong, how the steps are, what is shown and what its colours mean, and at its end
+// what the preview is busy with.
+#include "preview/view/view_internal.h"
+
+#include "base/text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define MARGIN 0.6f // ems
+
+static const Rgba PLATE = {14, 18, 27, 255};
+static const Rgba DIM = {140, 150, 168, 255};
+
+// Where the next words go.
+typedef struct {
+    Canvas *canvas;
+    float left, width, y, bottom, scale; // pixels
+} Column;
+
+static float line_height(const Column *column)
+{
+    return LINE_HEIGHT * column->scale;
+}
+
+// Wrapped into the column, in at most so many lines, as far as there is room. `plate` behind it: none where its alpha is 0.
+static void write_words(Column *column, Rgba ink, Rgba plate, int most, const char *text)
+{
+    char wrapped[2400];
+    int room = (int)((column->bottom - column->y) / line_height(column));
+    if (!text[0] || room < 1)
+        return;
+    int lines = overlay_wrap(text, column->scale, column->width, most < room ? most : room, wrapped, sizeof wrapped);
+    float margin = MARGIN * EM * column->scale, height = (float)lines * line_height(column);
+    if (plate.a > 0)
+        canvas_rectangle(column->canvas, column->left - margin, column->y - 0.5f * margin,
+                         column->width + 2.0f * margin, height + margin, plate);
+    canvas_text(column->canvas, column->left, column->y, column->scale, ink, wrapped);
+    column->y += height + (plate.a > 0 ? margin : 0.0f);
+}
+
+static void leave_space(Column *column)
+{
+    column->y += 0.5f * line_height(column);
+}
+
+static void write_legend(Column *column, const View *view, const ViewData *data)
+{
+    Legend legend = {.count = 0};
+    if (view_type(view)->legend)
+        view_type(view)->legend(view, data, &legend);
+    for (int i = 0; i < legend.count && column->y + line_height(column) < column->bottom; i++) {
+        float side = 0.62f * EM * column->scale;
+        Rgba colour = legend.entries[i].colour;
+        colour.a = 255;
+        canvas_rectangle(column->canvas, column->left, column->y + 0.35f * EM * column->scale, side, side, colour);
+        canvas_text(column->canvas, column->left + 1.6f * side, column->y, column->scale, COLOUR_OF_TEXT,
+                    legend.entries[i].text);
+        column->y += line_height(column);
+    }
+}
+
+// A mark for each step, a line a stage.
+static void write_marks(Column *column, const Verdicts *verdicts)
+{
+    static const Rgba INKS[VERDICT_STATES] = {[VERDICT_PASS] = {120, 220, 130, 255},
+                                              [VERDICT_FAIL] = {255, 120, 105, 255},
+                                              [VERDICT_ERROR] = {255, 120, 105, 255}};
+    float cell = column->width / 6.0f, high = line_height(column);
+    for (size_t i = 0, place = 0; i < STEP_COUNT; i++, place++) {
+        const Verdict *verdict = &verdicts->steps[i];
+        if (i > 0 && step_table[i].stage != step_table[i - 1].stage) {
+            place = 0;
+            column->y += high;
+        }
+        Rgba ink = verdict->old || INKS[verdict->state].a == 0 ? DIM : INKS[verdict->state];
+        float x = column->left + cell * (float)place;
+        char text[24];
+        snprintf(text, sizeof text, "%s %s%s", step_table[i].id, verdict_marks[verdict->state],
+                 verdict->judged_now ? ".." : "");
+        if (i == verdicts->present)
+            canvas_rectangle(column->canvas, x - 3.0f, column->y, cell - 2.0f, high, (Rgba){48, 60, 84, 255});
+        canvas_text(column->canvas, x, column->y, column->scale, ink, text);
+    }
+    column->y += 1.5f * high;
+}
+
+static void write_verdict(Column *column, const Verdict *verdict)
+{
+    static const Rgba NO_PLATE = {0, 0, 0, 0}, YELLOW = {255, 214, 120, 255};
+    bool wrong = verdict->state == VERDICT_FAIL || verdict->state == VERDICT_ERROR;
+    Rgba ink = verdict->old ? DIM : COLOUR_OF_TEXT;
+    char text[1200];
+    if (verdict->state == VERDICT_TODO)
+        write_words(column, DIM, NO_PLATE, 2, "not started: take away the line with todo(), and write");
+    if (wrong || verdict->state == VERDICT_SKIP)
+        write_words(column, ink, NO_PLATE, 9, verdict->message);
+    if (wrong && verdict->where[0]) {
+        snprintf(text, sizeof text, "in %s", verdict->where);
+        write_words(column, DIM, NO_PLATE, 2, text);
+    }
+    if (verdict->looks_like[0]) {
+        snprintf(text, sizeof text, "looks like: %s", verdict->looks_like);
+        write_words(column, verdict->old ? DIM : YELLOW, NO_PLATE, 5, text);
+    }
+    if (verdict->judged_now)
+        write_words(column, DIM, NO_PLATE, 1, "being judged ..");
+}
+
+// How the steps are, and the present one in words.
+static void write_steps(Column *column, const Captions *captions)
+{
+    const Verdicts *verdicts = captions->verdicts;
+    const StepInfo *step = &step_table[verdicts->present], *next = &step_table[verdicts_next(verdicts)];
+    const Verdict *verdict = &verdicts->steps[verdicts->present];
+    char text[400];
+    write_marks(column, verdicts);
+    snprintf(text, sizeof text, "%s %s %s", verdict_marks[verdict->state], step->id, step->title);
+    write_words(column, COLOUR_OF_TEXT, (Rgba){0, 0, 0, 0}, 2, text);
+    snprintf(text, sizeof text, "%s/%s.c", captions->source, step->file);
+    write_words(column, DIM, (Rgba){0, 0, 0, 0}, 2, text);
+    write_verdict(column, verdict);
+    if (verdict->state == VERDICT_PASS && verdicts_all_right(verdicts))
+        snprintf(text, sizeof text, "All steps are right! make report, make finale");
+    else if (verdict->state == VERDICT_PASS && !verdict->judged_now)
+        snprintf(text, sizeof text, "Right. n: on to %s %s", next->id, next->title);
+    else
+        text[0] = '\0';
+    write_words(column, (Rgba){120, 220, 130, 255}, (Rgba){0, 0, 0, 0}, 2, text);
+    write_words(column, (Rgba){190, 205, 255, 255}, (Rgba){0, 0, 0, 0}, 12, verdicts->hint);
+    leave_space(column);
+}
+
+// At the bottom of the column.
+static void write_status(Column *column, const char *status)
+{
+    char wrapped[1200];
+    if (!status || !status[0])
+        return;
+    int lines = overlay_wrap(status, column->scale, column->width, 9, wrapped, sizeof wrapped);
+    column->bottom -= (float)lines * line_height(column);
+    canvas_text(column->canvas, column->left, column->bottom, column->scale, DIM, wrapped);
+    column->bottom -= 0.5f * line_height(column);
+}
+
+void panel_draw(Canvas *canvas, const View *view, const ViewData *yours, const Captions *captions)
+{
+    Area area = view_area(canvas, view);
+    float left = (float)(area.left + area.width), scale = view_scale(canvas, view), margin = MARGIN * EM * scale;
+    float width = (float)canvas_width(canvas) - left, height = (float)canvas_height(canvas);
+    canvas_rectangle(canvas, left, 0, width, height, PLATE);
+    Column column = {canvas, left + margin, width - 2.0f * margin, margin, height - 0.5f * margin, scale};
+    write_status(&column, captions->status);
+    if (captions->banner && captions->banner[0]) {
+        Rgba plate = captions->banner_is_old ? (Rgba){58, 62, 70, 255} : (Rgba){120, 16, 20, 255};
+        write_words(&column, captions->banner_is_old ? DIM : (Rgba){255, 235, 230, 255}, plate, 10, captions->banner);
+        leave_space(&column);
+    }
+    if (captions->verdicts)
+        write_steps(&column, captions);
+    char text[1024] = "";
+    view_type(view)->describe(view, yours, text, sizeof text);
+    write_words(&column, COLOUR_OF_TEXT, (Rgba){0, 0, 0, 0}, 9, text);
+    leave_space(&column);
+    if (!captions->pictures[0].rgba)
+        write_legend(&column, view, yours);
+}
