@@ -9,7 +9,7 @@ $(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack/*.c)) $(LIBRARY)
 $(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) tests/judge/grade/points.c $(REPORT_WORDS)) $(LIBRARY)
 	$(call link,-ljansson)
 
-.PHONY: class class-slurm handout gradescope class-tools check-class class-trial class-slurm-trial
+.PHONY: class class-slurm class-alike check-alike handout gradescope class-tools check-class class-trial class-slurm-trial
 
 # What run_autograder compiles students' code with, where there is no make around it.
 $(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
@@ -31,6 +31,17 @@ class class-slurm: export PHOTONLAB_PARALLEL_FLAGS = $(PARALLEL_FLAGS)
 class class-slurm: class-tools
 	$(if $(filter command,$(origin SALT)),$(error What stands behind `make`, students' code can read. Before it: SALT=secret make $@))
 	@bash tests/class/$(subst -,_,$@).sh $(SHARDS)
+
+# Python's copydetect, which compares code, in a folder of its own.
+ALIKE = $(BUILD)/alike/bin/python
+$(ALIKE):
+	@rm -rf $(BUILD)/alike && { python3 -m venv $(BUILD)/alike && $(BUILD)/alike/bin/pip -q install copydetect==0.5.0; } || \
+	    { rm -rf $(BUILD)/alike; echo "class-alike needs copydetect: python3-venv (on Debian: apt-get install python3-venv) and a way to PyPI" >&2; exit 1; }
+
+##teacher class-alike  after make class: which submissions share more steps than chance would have it? [OUT=build/class]
+class-alike: $(CLASS_UNPACK) $(ALIKE)
+	@test -f $(call quoted,$(or $(OUT),$(BUILD)/class)/.parts/.list) || { echo "class-alike: make class comes first" >&2; exit 2; }
+	@$(ALIKE) tests/class/alike.py . $(BUILD) $(call quoted,$(or $(OUT),$(BUILD)/class))
 
 ##teacher handout  the students' archive: make handout [OUT=build/handout] [WITH_SOLUTIONS=1] [VERSION=2]
 handout: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/handout)
@@ -55,3 +66,7 @@ class-trial: class-tools
 ##check long class-slurm-trial  make class-slurm on a cluster of this one machine
 class-slurm-trial: class-tools
 	@bash tests/class/slurm_trial.sh
+
+##check long check-alike  make class-alike finds a copy with other names among right solutions; takes copydetect from PyPI
+check-alike: $(CLASS_UNPACK) $(ALIKE)
+	@bash tests/class/test_alike.sh $(ALIKE)
