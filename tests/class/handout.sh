@@ -19,7 +19,7 @@ trap 'rm -rf "$work"' EXIT
 top=$work/photonlab-$version
 
 # What shows how the steps are solved, how they are usually done wrong, or how to cheat; and the teacher's own tools.
-secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|malformed|extend|elsewhere|scene_page|class|agreement|preview)/|^course_notes/teachers'
+secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|malformed|extend|elsewhere|scene_page|class|agreement|preview)/|^course_notes/teachers|^CONTRIBUTING|^tests/.*/README\.md$'
 secret="$secret|^tests/[^/]*\\.(awk|md|mk|sh)\$|^tests/judge/.*test|^tests/judge/(README\\.md|calibrate/|features_table\\.sh|grade_case\\.sh)"
 secret="$secret|^tests/steps/(make_exercises\\.sh|stub\\.awk)"
 # Programs behind figures in which a line or two of a step stand, right or wrong; and what plays the known mistakes.
@@ -38,11 +38,9 @@ find "$top/exercises" -name '*.c' ! -path '*/.stubs/*' | while IFS= read -r file
     [ -f "exercises/.stubs/${file#"$top/exercises/"}" ] || rm -f "$file"
 done
 
-# What is for teachers alone would lead to files that are not there: sections of the README, and lines of `make help`.
-sed '/^<!-- teachers -->$/,/^<!-- end of teachers -->$/d' README.md >"$top/README.md" || exit 1
-find "$top" -name Makefile -o -name '*.mk' | while IFS= read -r file; do
-    grep -vE '^##(teacher|maintainer|check) ' "$file" >"$work/shorter" && cat "$work/shorter" >"$file" || exit 1
-done
+# What is for teachers alone would lead to files that are not there: sections of READMEs, and lines of `make help`.
+find "$top" \( -name '*.md' -exec sed -i '/^<!-- teachers -->$/,/^<!-- end of teachers -->$/d' {} + \) -o \
+    \( -name Makefile -o -name '*.mk' \) -exec sed -i -E '/^##(teacher|maintainer|check) /d' {} + || exit 1
 
 # What `make check` runs there.
 cat >"$top/tests/check.sh" <<'END'

@@ -2,6 +2,23 @@
 
 # ---- handout
 
+# Every `make TARGET` and every path in backquotes that its pages tell of, whatever they are relative to.
+names_only_what_is_there() {
+    (cd "$1" && make help && find . -name '*.md' -exec cat {} +) | grep -oE '(`|^    |^  )make [a-z][a-z-]*' | sed 's/.*make //' |
+        sort -u >"$work/named"
+    { echo setup:; cd "$1" && make -pRrq : 2>/dev/null; } | sed -n 's/^\([a-z][a-z-]*\):.*/\1/p' | sort -u |
+        comm -13 - "$work/named" >"$work/said"
+    (cd "$1" && find . -name '*.md' | while IFS= read -r file; do
+        grep -v '^    ' "$file" | grep -oE '`[A-Za-z0-9_.*-]+/[A-Za-z0-9_./*-]+`' | tr -d '`' | grep -v '^build/' | sort -u |
+            while IFS= read -r path; do
+                # shellcheck disable=SC2086  # a path may have a *
+                ls -d $path "${file%/*}"/$path lib/$path tests/$path 2>/dev/null | grep -q . || echo "$file: $path"
+            done
+    done) >>"$work/said"
+    [ ! -s "$work/said" ] && good "handout: its pages name $(wc -l <"$work/named") targets and paths, all of which are there" ||
+        bad "handout: its pages name what is not there: $(cat "$work/said")"
+}
+
 check_handout() {
     local tree
     PHOTONLAB_OUT=$work/handout PHOTONLAB_VERSION=1 bash "$here/handout.sh" >"$work/said" 2>&1 ||
@@ -30,6 +47,7 @@ check_handout() {
             page=$(dirname "$file")/$link # a chapter links to another's page, which its Markdown becomes
             [ -e "$page" ] || [ -e "${page%.html}.md" ] || echo "$file: $link"; done; done) >"$work/said"
     [ ! -s "$work/said" ] && good "handout: no dead links" || bad "handout: dead links: $(cat "$work/said")"
+    names_only_what_is_there "$tree"
     (cd "$tree" && make help) >"$work/help" 2>&1
     says "  test  .*grade your work" "$work/help" "handout: make help lists what students do"
     ok "handout: and nothing else" \

@@ -18,7 +18,9 @@ static const char head[] =
     "Numbers lie between -1e9 and 1e9, with a point for the decimals; whole ones are written without a point or an exponent.\n"
     "Aliases (`*name`) and second documents are refused. A mistake is answered with file, line, column and what was expected.\n"
     "\n"
-    "This page is written by `make scene-page`, from the rows that the program reads scenes by.\n";
+    "<!-- teachers -->\n"
+    "This page is written by `make scene-page`, from the rows that the program reads scenes by.\n"
+    "<!-- end of teachers -->\n";
 
 static void print_range(const SceneKey *key)
 {
