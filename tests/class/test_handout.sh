@@ -106,6 +106,10 @@ check_submit() {
     (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_FORCE=1 bash tests/class/submit.sh) >/dev/null 2>&1
     ok "submit: the same files, the same bytes" cmp "$archive" "$work/first"
     unset PHOTONLAB_NAME
+    # The finale by a judge to whom all is right, and a program that says what it is asked to draw.
+    printf '#!/bin/sh\necho "$@" >&2\n' >"$tree/build/photonlab"
+    (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_PLAYED=x PHOTONLAB_SIDE=8 bash tests/judge/finale.sh echo '5 of 5 points') >"$work/said" 2>&1
+    says "^frame .* --title Zoë_O'Neil " "$work/said" "submit: the finale's frame has the name from it"
 }
 
 # ---- update, of the same handout

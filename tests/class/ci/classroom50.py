@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import time
 
 
 def grade(checkout):
@@ -57,8 +58,10 @@ def main():
         ("classroom", "CLASSROOM"), ("assignment", "ASSIGNMENT"), ("submission", "SUBMISSION_TAG"), ("commit", "COMMIT_URL"),
         ("release", "RELEASE_URL"), ("review", "REVIEW_URL"))}
     told["review"] = told["review"] or told["commit"]
-    now = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
-    result = {"schema": "classroom50/result/v1", **told, "datetime": now, "score": sum(t["score"] for t in tests),
+    # When the work was handed in, whenever it is graded: the commit's time.
+    commit = subprocess.run(["git", "show", "-s", "--format=%ct", "HEAD"], capture_output=True, text=True, check=False)
+    then = datetime.datetime.fromtimestamp(int(commit.stdout or time.time()), datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
+    result = {"schema": "classroom50/result/v1", **told, "datetime": then, "score": sum(t["score"] for t in tests),
               "max-score": sum(t["max-score"] for t in tests), "tests": tests}
     pathlib.Path("result.json").write_text(json.dumps(result, indent=1), encoding="utf-8")
 
