@@ -9,7 +9,7 @@ $(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack/*.c)) $(LIBRARY)
 $(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) tests/judge/grade/points.c $(REPORT_WORDS)) $(LIBRARY)
 	$(call link,-ljansson)
 
-.PHONY: class class-slurm class-alike check-alike handout gradescope class-tools check-class class-trial class-slurm-trial
+.PHONY: class class-slurm class-alike check-alike handout gradescope class-tools check-class class-trial class-slurm-trial class-numbers
 
 # What run_autograder compiles students' code with, where there is no make around it.
 $(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
@@ -70,3 +70,7 @@ class-slurm-trial: class-tools
 ##check long check-alike  make class-alike finds a copy with other names among right solutions; takes copydetect from PyPI
 check-alike: $(CLASS_UNPACK) $(ALIKE)
 	@bash tests/class/test_alike.sh $(ALIKE)
+
+##teacher class-numbers  what a class costs, and its pages at ten thousand rows: tests/class/numbers.md
+class-numbers: class-tools meshes
+	@bash tests/class/numbers.sh
