@@ -11,15 +11,15 @@ for target in "$@"; do
     bench) packages="$packages g++ libnanoflann-dev libembree-dev povray xz-utils" ;;
     wasm | site | check-wasm | check-site) packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs" ;;
     class-alike | check-alike) packages="$packages python3-venv" ;;
-    check* | class-trial | reference | agreement | bench-* | calibrate | fuzz | *figures | *-table)
+    check* | class-trial | reference | agreement | bench-* | calibrate | fuzz* | *figures | *-table)
         packages="$packages libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"
         ;;
     esac
     case $target in check-macos | check-elsewhere | check-ci) packages="$packages python3-pip" ;; esac
+    case $target in fuzz*) packages="$packages libclang-rt-dev" ;; esac
 done
 # Newer systems have dropped these, or call them otherwise.
 where_there_is="libosmesa6"
-case " $* " in *" fuzz "*) where_there_is="$where_there_is libclang-rt-dev" ;; esac
 
 others='photonlab needs a C99 compiler, GNU make, libpng and libyaml; make test also GSL, jansson, libseccomp, bubblewrap,
 libarchive and gdb; make preview GLFW, the stb headers, the font DejaVu Sans and OSMesa or EGL; make notes pandoc, its figures gnuplot; its own tests also

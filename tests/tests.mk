@@ -161,22 +161,22 @@ bench-test: judge
 bench-preview: all meshes
 	@bash tests/bench/preview.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND)
 
-##maintainer fuzz  feed a reader with nonsense: READER=scene|obj|png|pfm SECONDS=600
+##maintainer fuzz  feed a reader with nonsense: READER=scene|…|all SECONDS=600; tests/fuzz/ has a file for each
 READER  ?= scene
 SECONDS ?= 60
-FUZZ_FLAGS = -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
-fuzz: $(SCENE_PAGE) $(PROGRAM)
-	@test -f tests/fuzz/fuzz_$(READER).c || { echo "READER is scene, obj, png or pfm"; exit 1; }
-	@mkdir -p $(BUILD)/fuzz/corpus_$(READER)
-	clang $(STANDARD) -O1 -g -Ilib -Itests $(PKG_CFLAGS) $(FUZZ_FLAGS) tests/fuzz/fuzz_$(READER).c $(LIBRARY_SOURCES) \
-	    -o $(BUILD)/fuzz/fuzz_$(READER) $(PKG_LIBS) -lm -ldl || \
-	    { echo "Does clang lack its fuzzer? On Debian: apt-get install libclang-rt-$$(clang -dumpversion | cut -d. -f1)-dev"; exit 1; }
-	@find tests scenes -name '*.$(READER:scene=yaml)' -size -16k -exec cp {} $(BUILD)/fuzz/corpus_$(READER) \;
-	$(if $(filter png pfm,$(READER)),@for bits in 8 16; do $(PROGRAM) render scenes/box_glass.yaml --size 9x7 --photons 99 --samples 1 \
-	    --bits $$bits --quiet -o $(BUILD)/fuzz/corpus_$(READER)/seed$$bits.$(READER); done)
-	@cp tests/fuzz/*.dict $(BUILD)/fuzz/ && $(SCENE_PAGE) --words >>$(BUILD)/fuzz/scene.dict
-	$(BUILD)/fuzz/fuzz_$(READER) -max_total_time=$(SECONDS) -timeout=10 -max_len=4096 -print_final_stats=1 \
-	    $(if $(filter scene obj,$(READER)),-dict=$(BUILD)/fuzz/$(READER).dict) $(BUILD)/fuzz/corpus_$(READER)
+FUZZERS  = $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
+FUZZED   = $(MAKE) BUILD=$(BUILD)/fuzz CC=clang OPTIMISE=-O1 OPENMP= HAVE_PREVIEW= \
+           EXTRA="-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -Wno-unused-parameter"
+# What they call beside the library; without an OpenMP their runs repeat.
+$(BUILD)/fuzzed.a: $(call object,$(filter-out tests/judge/judge.c tests/judge/report/main.c tests/class/table/class_table.c,$(sort $(JUDGE_SOURCES) \
+                       $(wildcard tests/judge/report/*.c tests/class/table/*.c))))
+	$(call beside,ar rcs $$new $^)
+$(BUILD)/fuzz_%: $(BUILD)/obj/tests/fuzz/fuzz_%.o $(BUILD)/fuzzed.a $(LIBRARY) $(STEPS)
+	$(call link,$(BUILD)/fuzzed.a -fsanitize=fuzzer $(JUDGE_LIBS))
+fuzz: judge meshes $(SCENE_PAGE)
+	+@$(FUZZED) $(patsubst %,$(BUILD)/fuzz/fuzz_%,$(if $(filter all,$(READER)),$(FUZZERS),$(READER))) || \
+	    { echo "READER is one of: $(FUZZERS). Does clang lack its fuzzer? make setup fuzz"; exit 1; }
+	@bash tests/fuzz/fuzz.sh $(BUILD) $(SECONDS) $(if $(filter all,$(READER)),$(FUZZERS),$(READER))
 
 ##maintainer size  lines of C and shell, room by room: make size [OF=COMMIT]
 size:

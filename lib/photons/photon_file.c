@@ -7,13 +7,15 @@ bool photon_file_path_is_known(const char *path, Error *error)
            error_set(error, "%s: unknown ending; expected .ply or .csv", path);
 }
 
-// A photon's power scaled so that its strongest channel is 255. Of a single wavelength a channel may lie below 0.
+// A photon's power scaled so that its strongest channel is 255. Of a single wavelength a channel may lie below 0; of a wrong
+// step it may be infinite, or no number.
 static void display_colour(const StoredPhoton *photon, unsigned char rgb[3])
 {
     float most = colour_max(photon->power);
-    for (int c = 0; c < 3; c++)
-        rgb[c] =
-            most > 0.0f ? (unsigned char)(255.0f * fmaxf(colour_channel(photon->power, c), 0.0f) / most + 0.5f) : 0;
+    for (int c = 0; c < 3; c++) {
+        float scaled = most > 0.0f ? 255.0f * fmaxf(colour_channel(photon->power, c), 0.0f) / most + 0.5f : 0.0f;
+        rgb[c] = scaled < 256.0f ? (unsigned char)scaled : 255;
+    }
 }
 
 static void write_ply(const StoredPhoton *photons, size_t count, FILE *stream)

@@ -67,7 +67,7 @@ make_odd() {
             s/todo(.*/for (;;) poll(NULL, 0, -1);/' "$root/exercises/.stubs/$loop.c" >"$odd/late/${loop#*/}.c"
     done
     put_step "$odd/new"$'\n'"line"
-    echo "int x;" >"$odd/judy.c" && printf 'id\ndoe\nnobody\n' >"$odd/roster.csv"
+    echo "int x;" >"$odd/judy.c" && printf 'id;"group, or team"\ndoe;"a;b"\nnobody;1\n' >"$odd/roster.csv"
     cp "$solved/$reflect" "$odd/doe_12345_1.1_reflect.c" && cp "$solved/$turn" "$odd/doe_12346_2.2_turn_to-1.c"
 }
 
@@ -84,7 +84,7 @@ check_odd() {
     holds_row capital ',graded,no,4,.*helper.c is not called like a step' "1.1_reflect.C; helper.c is named"
     holds_row linked ',graded,no,5,.*1.1_reflect.c is a link' "a link is named"
     holds_row judy 'unreadable,no,0,100,.*a file alone' "a loose file has a row"
-    in_table odd-out '^doe,' '^doe,doe,graded,yes,9,100,' "odd: files flat in the folder become a submission"
+    in_table odd-out '^doe,' '^doe,"a;b",doe,graded,yes,9,100,' "odd: files flat in the folder become a submission"
     holds_row late 'partly graded,no,9,100,.*12 s for grading ran out before [1-9]' "what was graded in time counts"
     says '1 partly graded, as 12 s ran out' "$work/odd-out-said" "odd: and is named"
     grep -q 'SALT=pepper' "$work/odd-out/.parts/.config" && grep -qa '^,new line,graded' "$work/odd-out/class.csv" &&

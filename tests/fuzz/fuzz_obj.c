@@ -1,17 +1,7 @@
 // Feeds the OBJ reader with whatever libFuzzer thinks of: a mesh or a message, no crash, no leak.
-// Build and run: make fuzz READER=obj
+#include "fuzz/fuzz.h"
 #include "scene/bvh/shape.h"
 #include "scene/file/obj.h"
-
-#include <stdlib.h>
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-static void require(bool condition)
-{
-    if (!condition)
-        abort();
-}
 
 static const char *name_at(const void *names, size_t i)
 {

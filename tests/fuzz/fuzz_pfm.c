@@ -1,12 +1,6 @@
 // libFuzzer target: whatever bytes a PFM file holds, reading it ends in an image of finite pixels or in an error.
-// Build and run: make fuzz READER=pfm
+#include "fuzz/fuzz.h"
 #include "image/codec.h"
-
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {

@@ -1,15 +1,9 @@
 // libFuzzer target: whatever bytes a PNG file holds, reading it ends in an image of pixels from 0 to 1 or in an error.
-// Build and run: make fuzz READER=png
+#include "fuzz/fuzz.h"
 #include "image/codec.h"
 #include "unit/image/png_builder.h"
 
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
 #define MOST_PIXELS 1000000ull // larger ones only cost time here; that they are refused is a unit test's matter
-
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
 static uint32_t read_u32(const uint8_t *b)
 {

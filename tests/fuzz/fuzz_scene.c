@@ -1,16 +1,7 @@
 // Feeds the scene loader with whatever libFuzzer thinks of. It must come back with a scene or with a message, and never
-// crash, hang or leak. Meshes are not read. Build and run: make fuzz READER=scene
+// crash, hang or leak. Meshes are not read.
+#include "fuzz/fuzz.h"
 #include "scene/scene.h"
-
-#include <stdlib.h>
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-static void require(bool condition)
-{
-    if (!condition)
-        abort();
-}
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

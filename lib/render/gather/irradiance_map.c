@@ -37,10 +37,17 @@ typedef struct {
     int32_t x, y, z;
 } Place;
 
+// Farther out than an int counts, neighbours as well, any cell will do.
+static int32_t cell_of(float x)
+{
+    float cell = floorf(x);
+    return fabsf(cell) < 1e9f ? (int32_t)cell : 0;
+}
+
 static Place place_of(const IrradianceMap *map, Vec3 p)
 {
     float scale = 1.0f / map->size;
-    return (Place){(int32_t)floorf(p.x * scale), (int32_t)floorf(p.y * scale), (int32_t)floorf(p.z * scale)};
+    return (Place){cell_of(p.x * scale), cell_of(p.y * scale), cell_of(p.z * scale)};
 }
 
 // 64 bits of hash stand for the cell: that two share one does not happen.
@@ -113,7 +120,9 @@ static float cell_size(const Site *sites, size_t count, size_t photons, size_t k
         radius2 += (double)sites[i].local.radius * (double)sites[i].local.radius;
         valid += sites[i].local.radius > 0.0f;
     }
-    double area_a_photon = valid ? (double)PI * radius2 / (double)valid / (double)k : 1.0;
+    if (valid == 0)
+        return 1.0f; // of none
+    double area_a_photon = (double)PI * radius2 / (double)valid / (double)k;
     return (float)sqrt(area_a_photon * (double)photons / (double)count * (double)ESTIMATES_A_CELL);
 }
 

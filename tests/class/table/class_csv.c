@@ -8,12 +8,23 @@
 
 #define MOST_CSV (64u << 20)
 
+// The first of , ; and tab that stands in the header, outside of quotes, which may hold line ends as well.
 static char separator_of(const char *text)
 {
-    size_t line = strcspn(text, "\r\n");
-    if (memchr(text, ',', line))
-        return ',';
-    return memchr(text, ';', line) ? ';' : memchr(text, '\t', line) ? '\t' : ',';
+    const char *const kinds = ",;\t", *best = kinds + 3;
+    bool quoted = false, at_start = true;
+    for (; *text && (quoted || !strchr("\r\n", *text)); text++) {
+        const char *kind = strchr(kinds, *text);
+        if (*text == '"' && (quoted || at_start)) {
+            bool doubled = quoted && text[1] == '"';
+            quoted = quoted == doubled;
+            text += doubled;
+        } else if (!quoted && kind && kind < best) {
+            best = kind;
+        }
+        at_start = kind != NULL;
+    }
+    return *best ? *best : ',';
 }
 
 // Reads one cell in place: quotes go, doubled ones become one. Returns what stood behind it ('\0' at the end).

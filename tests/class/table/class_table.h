@@ -26,7 +26,7 @@ typedef struct {
 
 #define MARK "\xEF\xBB\xBF"
 // Reads RFC 4180, with LF or CRLF, commas or (when the header has no comma) semicolons or tabs, with or without a byte
-// order mark.
+// order mark. Free it either way.
 bool csv_read(const char *path, Csv *csv, Error *error);
 const char *csv_cell(const Csv *csv, size_t row, size_t column);
 bool csv_find(const Csv *csv, const char *title, size_t *column); // capital or not

@@ -9,13 +9,13 @@
 #define GREY_ROOM                                                                                                      \
     ROOM_HEAD "materials:\n  - {name: grey, type: diffuse, reflectance: [0.5, 0.4, 0.3]}\n"                            \
               "shapes:\n  - {type: box, low: [-1, 0, -1], high: [1, 2, 1], material: grey}\n"
-#define HALVES                                                                                                          \
-    ROOM_HEAD                                                                                                           \
-        "materials:\n  - {name: white, type: diffuse, reflectance: [1, 1, 1]}\n"                                        \
-        "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"                                                    \
-        "shapes:\n  - {type: rectangle, corner: [-9, 1, -9], edge_u: [9, 0, 0], edge_v: [0, 0, 18], material: black}\n" \
-        "  - {type: rectangle, corner: [0, 1, -9], edge_u: [9, 0, 0], edge_v: [0, 0, 18], material: white}\n"           \
-        "  - {type: rectangle, corner: [-9, 0, -9], edge_u: [0, 0, 18], edge_v: [18, 0, 0], material: black}\n"
+#define HALVES                                                                                                         \
+    ROOM_HEAD                                                                                                          \
+    "materials:\n  - {name: white, type: diffuse, reflectance: [1, 1, 1]}\n"                                           \
+    "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"                                                       \
+    "shapes:\n  - {type: rectangle, corner: [-9, 1, -9], edge_u: [9, 0, 0], edge_v: [0, 0, 18], material: black}\n"    \
+    "  - {type: rectangle, corner: [0, 1, -9], edge_u: [9, 0, 0], edge_v: [0, 0, 18], material: white}\n"              \
+    "  - {type: rectangle, corner: [-9, 0, -9], edge_u: [0, 0, 18], edge_v: [18, 0, 0], material: black}\n"
 
 typedef struct {
     Scene *scene;
@@ -111,6 +111,27 @@ TEST(an_extrapolation_is_bounded)
     Colour down = irradiance_extrapolate(&estimate, vec3(-0.1f, 0, 0), vec3(0, 1, 0));
     assert_within((double)up.r, 1.6, 1e-6, "upwards");
     assert_within((double)down.r, 0.5, 1e-6, "downwards");
+}
+
+// No photon lands, so there is no cell to look in.
+TEST(a_picture_without_photons_is_dark)
+{
+    Scene *scene = scene_from_text(
+        "camera: {position: [0, 0.5, 0], target: [0, 0, 0.001], up: [0, 0, 1], vertical_fov: 40}\n"
+        "lights:\n  - {type: beam, position: [0, 2, 0], target: [0, 3, 0], radius: 0.1, power: [1, 1, 1]}\n"
+        "materials:\n  - {name: grey, type: diffuse, reflectance: [0.5, 0.4, 0.3]}\n"
+        "shapes:\n  - {type: rectangle, corner: [-1, 0, -1], edge_u: [0, 0, 2], edge_v: [2, 0, 0], material: grey}\n"
+        "  - {type: rectangle, corner: [-1, 1, -1], edge_u: [2, 0, 0], edge_v: [0, 0, 2], material: grey}\n");
+    RenderOptions options = {.integrator = INTEGRATOR_GATHER, .settings = scene->settings, .glass_sides = 2};
+    Image image;
+    RenderStats stats;
+    Error error = {""};
+    options.settings.width = options.settings.height = 2;
+    options.settings.photons = 10;
+    assert_true(render_image(scene, &options, &image, &stats, &error));
+    assert_int_equal(stats.photons_stored, 0);
+    assert_true(image.pixels[0].r == 0.0f);
+    image_free(&image);
 }
 
 AROUND_TESTS(load_reference_steps, NULL)

@@ -1,0 +1,52 @@
+// What the fuzzers share. Each is a file fuzz_NAME.c, fed with whatever libFuzzer thinks of, and a row of seeds in fuzz.sh.
+#ifndef PHOTONLAB_TESTS_FUZZ_H
+#define PHOTONLAB_TESTS_FUZZ_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static inline void require(bool condition)
+{
+    if (!condition)
+        abort();
+}
+
+// A folder of this process's own; libFuzzer ends without a word to us, so fuzz.sh gives it a TMPDIR that it removes.
+static inline const char *fuzz_folder(void)
+{
+    static char folder[256];
+    const char *temporary = getenv("TMPDIR");
+    if (!folder[0]) {
+        snprintf(folder, sizeof folder, "%s/fuzz-XXXXXX", temporary ? temporary : "/tmp");
+        require(mkdtemp(folder) != NULL);
+    }
+    return folder;
+}
+
+// The bytes as a file of this name there; its path.
+static inline const char *fuzz_file(const char *name, const uint8_t *data, size_t size)
+{
+    static char path[512];
+    snprintf(path, sizeof path, "%s/%s", fuzz_folder(), name);
+    FILE *file = fopen(path, "wb");
+    require(file && fwrite(data, 1, size, file) == size && fclose(file) == 0);
+    return path;
+}
+
+// The bytes as text, with a 0 behind them, so that reading on is seen. To be freed.
+static inline char *fuzz_text(const uint8_t *data, size_t size)
+{
+    char *text = malloc(size + 1);
+    require(text != NULL);
+    memcpy(text, data, size);
+    text[size] = '\0';
+    return text;
+}
+
+#endif
