@@ -1,7 +1,7 @@
 # The project's own tests and benchmarks; included by the Makefile, and not in the students' archive. A target becomes a part of
 # `make check` by its line: "##check WHEN NAME  words". WHEN is `first` (one after the other), `beside` (waits more than it works:
-# beside those), `alone` (counts seconds: at the end) or `long` (by hand only). tests/check.sh says CHECK=1: do no more than
-# `make check` has time for, and let no warning pass.
+# two of these at once beside those), `alone` (counts seconds: at the end) or `long` (by hand only). tests/check.sh says CHECK=1: do
+# no more than `make check` has time for, and let no warning pass.
 
 -include tests/mistakes/grader.mk tests/scene_page/scene_page.mk tests/elsewhere/elsewhere.mk
 
