@@ -109,54 +109,6 @@ static inline void assert_share(long hits, long count, double p, const char *wha
     assert_within((double)hits / (double)count, p, 3.0 * error + 1e-9, what);
 }
 
-// ---- χ²
-// How many standard deviations the counts' χ² lies above its mean (Wilson & Hilferty 1931: its cube root is
-// nearly normal). Bins that expect fewer than 5 are taken together. Counts must sum to what the expectations
-// sum to.
-static inline double chi_square_deviations(const long *counts, const double *expected, int bins)
-{
-    double chi2 = 0.0, rest_expected = 0.0, rest_count = 0.0;
-    int used = 0;
-    for (int i = 0; i < bins; i++) {
-        double difference = (double)counts[i] - expected[i];
-        if (expected[i] < 5.0) {
-            rest_expected += expected[i];
-            rest_count += (double)counts[i];
-            continue;
-        }
-        chi2 += difference * difference / expected[i];
-        used++;
-    }
-    if (rest_expected >= 5.0) {
-        chi2 += (rest_count - rest_expected) * (rest_count - rest_expected) / rest_expected;
-        used++;
-    } else if (rest_count > 20.0) {
-        return INFINITY; // where next to nothing is expected
-    }
-    double k = (double)(used - 1);
-    return (cbrt(chi2 / k) - (1.0 - 2.0 / (9.0 * k))) / sqrt(2.0 / (9.0 * k));
-}
-
-static inline void assert_chi_square(const long *counts, const double *expected, int bins, const char *what)
-{
-    double deviations = chi_square_deviations(counts, expected, bins);
-    if (!(deviations <= 3.0))
-        fail_msg("%s: chi-square lies %.2f standard deviations above its mean", what, deviations);
-}
-
-// As many in each bin?
-static inline void assert_uniform(const long *counts, int bins, const char *what)
-{
-    enum { MOST_BINS = 1024 };
-    double expected[MOST_BINS], sum = 0.0;
-    assert_true(bins <= MOST_BINS);
-    for (int i = 0; i < bins; i++)
-        sum += (double)counts[i];
-    for (int i = 0; i < bins; i++)
-        expected[i] = sum / bins;
-    assert_chi_square(counts, expected, bins, what);
-}
-
 // ---- scenes and photons
 FREED_AT_END(own_scene, Scene, scene_free)
 FREED_AT_END(own_pass, PhotonPass, photon_pass_free)
