@@ -1,9 +1,6 @@
 // What is drawn, and what decides how.
 #include "web/web.h"
 
-#include "base/array.h"
-#include "base/text.h"
-
 #include <stdlib.h>
 
 // A copy of what is collected goes into the view: more may come.
@@ -19,7 +16,7 @@ static bool copy_collected(Recording *copy)
     }
     memcpy(copy->photons, all->photons, all->count * sizeof *all->photons);
     memcpy(copy->legs, all->legs, all->leg_count * sizeof *all->legs);
-    copy->recorded = (long)page.asked.recorded < all->emitted ? (long)page.asked.recorded : all->emitted;
+    copy->recorded = page.asked.recorded < all->emitted ? page.asked.recorded : all->emitted;
     recording_measure(copy);
     return true;
 }
@@ -36,30 +33,19 @@ static bool ready(int width, int height)
     return canvas_resize(page.canvas, width, height, &page.error);
 }
 
+// Before findings are received, which belong to a picture.
+bool EXPORT(web_open_canvas)(void)
+{
+    return page.canvas ? ready(canvas_width(page.canvas), canvas_height(page.canvas)) : ready(64, 64);
+}
+
 // What is collected by now is what the next pictures show.
 bool EXPORT(web_show)(void)
 {
     Recording copy;
-    if (!ready(page.canvas ? canvas_width(page.canvas) : 64, page.canvas ? canvas_height(page.canvas) : 64) ||
-        !copy_collected(&copy))
+    if (!web_open_canvas() || !copy_collected(&copy))
         return false;
     view_data_record(page.data, copy);
-    return true;
-}
-
-// Ten thousand of the scatter step for the lobe's view, as its settings ask.
-bool EXPORT(web_sample_lobe)(int count)
-{
-    if (!ready(page.canvas ? canvas_width(page.canvas) : 64, page.canvas ? canvas_height(page.canvas) : 64))
-        return false;
-    const double *settings = page.view.settings[VIEW_LOBE];
-    steps_play(page.asked.play);
-    Findings found = {malloc((size_t)(count + 1) * sizeof(LobeSample)), (size_t)count};
-    LobeSample *samples = found.items;
-    for (int i = 0; samples && i < count; i++)
-        samples[i] = lobe_sample((float)settings[LOBE_EXPONENT], (float)settings[LOBE_ANGLE],
-                                 settings[LOBE_DIFFUSE] != 0.0, (uint64_t)page.asked.seed, i);
-    view_data_find(page.data, RUN_LOBE, found);
     return true;
 }
 
@@ -69,7 +55,11 @@ bool EXPORT(web_draw)(int width, int height, bool bare, const char *status, cons
     if (!ready(width, height))
         return false;
     Captions captions = {.status = status, .banner = banner, .bare = bare};
+    const Image *image = &page.rendered.image;
+    if (page.show_rendered && image->pixels)
+        captions.pictures[0] = (Picture){rendered_rgba(image), image->width, image->height};
     view_draw(page.canvas, &page.view, page.data, NULL, &captions);
+    free((void *)captions.pictures[0].rgba);
     canvas_present(page.canvas, width, height);
     return true;
 }

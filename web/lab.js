@@ -38,49 +38,92 @@ function draw() {
 }
 
 function moved() {
+    stopRender()
     state.rested = performance.now() + REST
     wantPicture()
 }
 
 function tell() {
-    const {photons, emitted} = state.lab.collected()
+    const {photons, emitted, passes} = state.lab.collected()
+    const picture = state.rendering ? ` · rendered: ${passes ? `${passes} pass${passes === 1 ? '' : 'es'}` : 'on its way'}` : ''
     const time = state.seconds ? `, ${state.seconds.toFixed(2)} s` : ''
-    $('words').textContent = `${emitted.toLocaleString('en-GB')} photons, ${photons.toLocaleString('en-GB')} stored${time}`
+    $('words').textContent = `${emitted.toLocaleString('en-GB')} photons, ${photons.toLocaleString('en-GB')} stored${time}${picture}`
 }
 
 // ---- photons ----
 
+// Small at first, for a quick look.
+const PART = 4000 // paths
+
 async function tracePhotons() {
     const {lab, workers} = state
-    const began = performance.now()
-    const names = ['photons', 'depth', 'seed', 'paths', 'spectral']
-    const settings = Object.fromEntries(names.map(name => [name, lab.get(name)]))
-    lab.call('web_forget')
+    const began = performance.now(), photons = lab.get('photons')
+    lab.begin('photons')
     state.shown = state.seconds = 0
     fault('')
-    const take = part => {
-        lab.take(part)
-        const {photons, emitted} = lab.collected()
-        if (photons < 1.5 * state.shown && emitted < settings.photons) return
-        state.shown = photons
+    stopRender()
+    const receive = message => {
+        lab.receive(message)
+        const found = lab.collected()
+        if (found.photons < 1.5 * state.shown + 100) return
+        state.shown = found.photons
         lab.show()
         wantPicture()
     }
     try {
-        if (await workers.trace(state.scene, settings, settings.photons, take)) {
-            state.seconds = (performance.now() - began) / 1000
-            lab.show()
-            wantPicture()
-        }
+        if (!(await workers.run('photons', state.scene, lab.all(), Math.max(1, Math.round(photons / PART)), receive))) return
+        state.seconds = (performance.now() - began) / 1000
+        lab.show()
+        fault(lab.oddities())
+        wantPicture()
     } catch (error) {
         fault(error.message)
     }
 }
 
-function sampleLobe() {
-    if (state.lab.get('view') !== 'lobe') return
-    state.lab.sampleLobe()
+// What the present view shows beside photons.
+async function findForView() {
+    const {lab, workers} = state, kind = lab.shows()
+    if (kind === 'photons') return
+    lab.begin(kind)
+    const settings = {...lab.all(), photons: Math.min(lab.get('photons'), 200000)}
+    try {
+        if (await workers.run(kind, state.scene, settings, 1, message => lab.receive(message))) wantPicture()
+    } catch (error) {
+        fault(error.message)
+    }
+}
+
+// ---- a rendered picture, pass by pass, of what is seen ----
+
+const PASSES = 64
+
+function stopRender() {
+    if (!state.rendering) return
+    state.rendering = false
+    state.workers.stop('render')
+    state.lab.set({rendered: 0})
+    $('render').textContent = 'render'
     wantPicture()
+}
+
+async function startRender() {
+    const {lab, workers} = state, canvas = $('picture')
+    state.rendering = true
+    $('render').textContent = 'stop'
+    const {width, height} = canvas
+    lab.set({rendered: 1, width, height, passes: PASSES})
+    lab.begin('render')
+    const receive = message => {
+        lab.receive(message)
+        wantPicture()
+    }
+    const settings = {...lab.all(), passes: PASSES}
+    try {
+        await workers.run('render', state.scene, settings, lab.get('radii') === 'alike' ? PASSES : 1, receive)
+    } catch (error) {
+        if (state.rendering) fault(error.message)
+    }
 }
 
 // ---- the scene ----
@@ -88,7 +131,6 @@ function sampleLobe() {
 // False, with the fault beside the text, when it is no scene.
 function readScene(yaml, name, keepView) {
     const {lab} = state
-    const before = keepView ? {photons: lab.get('photons'), seed: lab.get('seed')} : {photons: 200000}
     try {
         lab.scene(yaml, name, keepView)
     } catch (error) {
@@ -100,10 +142,12 @@ function readScene(yaml, name, keepView) {
     $('wrong').hidden = true
     $('yaml').removeAttribute('aria-invalid')
     state.scene = {yaml, name, files}
-    lab.set(before)
-    if (!keepView) fillPanel()
+    if (!keepView) {
+        lab.set({photons: 200000})
+        fillPanel()
+    }
     tracePhotons()
-    sampleLobe()
+    findForView()
     return true
 }
 
@@ -173,11 +217,11 @@ function fieldset(title, ...rows) {
     return set
 }
 
-function button(words, act) {
+function button(words, act, moves = true) {
     const made = Object.assign(document.createElement('button'), {type: 'button', textContent: words})
     made.onclick = () => {
         act()
-        moved()
+        if (moves) moved()
     }
     return made
 }
@@ -188,7 +232,7 @@ function settingsOf(view) {
     return state.lab.list.parameters
         .filter(p => p.kind && p.name.startsWith(view + '.'))
         .map(p => {
-            const words = p.name.split('.')[1], then = view === 'lobe' ? sampleLobe : wantPicture
+            const words = p.name.split('.')[1], then = view === 'lobe' ? findForView : wantPicture
             if (p.kind === 'switch') return tick(p.name, words, then)
             const high = Math.min(p.high, SETTING_HIGH[p.name] || p.high)
             return slider(p.name, words, p.low, high, {whole: p.kind === 'whole', none: p.low < 0 ? 'all' : null}, then)
@@ -199,15 +243,18 @@ function fillPanel() {
     const {lab} = state
     const changed = () => {
         fillPanel()
-        sampleLobe()
+        findForView()
         wantPicture()
     }
     const buttons = document.createElement('div')
     buttons.className = 'buttons'
     buttons.append(button('frame', () => lab.frame()), button('camera', () => lab.home()), button('+', () => lab.zoom(0.8)), button('−', () => lab.zoom(1.25)))
+    const render = button('render', () => (state.rendering ? stopRender() : startRender()), false)
+    render.id = 'render'
+    buttons.append(render)
     const focused = document.activeElement && document.activeElement.id
     $('panel').replaceChildren(
-        fieldset('picture', chooser('view', lab.list.views, changed), chooser('colour', lab.list.colours, wantPicture),
+        fieldset('picture', chooser('view', lab.list.view, changed), chooser('colour', lab.list.colour, wantPicture),
             tick('wireframe', 'wires', wantPicture), ...settingsOf(lab.get('view')), buttons),
         fieldset('photons', slider('photons', 'photons', 1000, 2e6, {whole: true, logarithmic: true}, tracePhotons),
             slider('depth', 'depth', 1, 50, {whole: true}, tracePhotons), slider('seed', 'seed', 1, 100, {whole: true}, tracePhotons)),
@@ -261,12 +308,12 @@ const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowD
 // The window's keys; with shift the arrows turn the scene.
 function onKey(event) {
     if (event.ctrlKey || event.altKey || event.metaKey) return
-    const {lab} = state, arrow = ARROWS[event.key], views = lab.list.views
+    const {lab} = state, arrow = ARROWS[event.key], views = lab.list.view
     const next = (name, words) => lab.set({[name]: words[(words.indexOf(lab.get(name)) + 1) % words.length]})
     if (arrow && event.shiftKey) lab.turn(0.05 * arrow[0], 0.05 * arrow[1])
     else if (arrow) lab.choose(arrow[0] !== 0, arrow[0] - arrow[1])
     else if (event.key >= '1' && event.key <= String(views.length)) lab.set({view: views[event.key - 1]})
-    else if (event.key === 'c') next('colour', lab.list.colours)
+    else if (event.key === 'c') next('colour', lab.list.colour)
     else if (event.key === 'w') lab.set({wireframe: 1 - lab.get('wireframe')})
     else if (event.key === 'f') lab.frame()
     else if (event.key === '0') lab.home()
@@ -277,7 +324,7 @@ function onKey(event) {
     event.preventDefault()
     if ('+=-r'.includes(event.key)) tracePhotons()
     fillPanel()
-    sampleLobe()
+    findForView()
     moved()
 }
 

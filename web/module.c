@@ -1,7 +1,10 @@
+// An instance's scene, and what was found about it.
 #include "web/web.h"
 
 #include "base/array.h"
+#include "photons/pass/oddities.h"
 #include "photons/photon_file.h"
+#include "preview/run/wire.h"
 
 #include <stdlib.h>
 
@@ -12,146 +15,136 @@ const char *EXPORT(web_error)(void)
     return page.error.message;
 }
 
-static void forget_photons(void)
-{
-    page.collected.count = page.collected.leg_count = 0;
-    page.collected.emitted = page.collected.recorded = 0;
-    page.collected.bounces = 0;
-    memset(&page.collected.ledger, 0, sizeof page.collected.ledger);
-}
-
 // The scene in place of the one before; true when it is sound, otherwise web_error says at which line and column it is
-// not, and the one before stays. The camera stays too where `keep_view` is set.
+// not, and the one before stays. With `keep_view` the camera and all settings stay.
 bool EXPORT(web_scene)(const char *text, size_t size, const char *name, bool keep_view)
 {
     page.error.message[0] = '\0';
     Scene *scene = scene_load_text(text, size, name, "", &page.error);
     if (!scene)
         return false;
-    View before = page.view;
     bool kept = keep_view && page.scene;
     view_data_free(page.data);
     page.data = NULL; // made when it is first drawn
     scene_free(page.scene);
     page.scene = scene;
-    page.view = kept ? before : view_default(scene);
-    web_load_steps();
-    if (!kept)
-        page.asked = (PhotonSettings){.photons = (double)scene->settings.photons, .seed = 1, .recorded = 1000};
-    page.asked.depth = scene->settings.depth;
-    page.asked.spectral = scene->settings.spectral;
-    forget_photons();
+    if (!kept) {
+        page.view = view_default(scene);
+        page.asked = (RunRequest){.photons = scene->settings.photons, .seed = 1, .recorded = 1000, .samples = 10000};
+        page.asked.depth = scene->settings.depth;
+        page.asked.spectral = scene->settings.spectral;
+        page.asked.integrator = scene->settings.integrator;
+    }
+    for (int kind = 0; kind <= RUN_RENDER; kind++)
+        web_begin(kind);
+    page.show_rendered = false;
     return true;
 }
 
-// "2.3", "1.5", "2.3,6.4": which steps play where several do the same work.
+// "2.3", "1.5", "2.3,6.4": which steps play where several do the same work; "": what the student's code has.
 bool EXPORT(web_steps)(const char *choice)
 {
     page.error.message[0] = '\0';
-    forget_photons();
-    return step_choice_parse(choice, &page.asked.play, &page.error);
+    page.play_chosen = choice[0] != '\0';
+    return !page.play_chosen || step_choice_parse(choice, &page.asked.play, &page.error);
 }
 
-void EXPORT(web_forget)(void)
+bool EXPORT(web_begin)(int kind)
 {
-    forget_photons();
+    Recording *all = &page.collected;
+    page.finding_bytes = 0;
+    if (kind == RUN_PHOTONS)
+        *all = (Recording){.photons = all->photons, .legs = all->legs};
+    if (kind == RUN_RENDER) {
+        image_free(&page.rendered.image);
+        page.rendered.passes = 0;
+    }
+    return true;
 }
 
-static long path_now; // that the recorder is told of
-static float reach;
-
-static bool reserve(size_t photons, size_t legs)
+static bool append(void *array, size_t *count, size_t *capacity, size_t item, const void *bytes, size_t size)
 {
-    Recording *to = &page.collected;
-    return array_reserve(&to->photons, to->count + photons, &page.photon_capacity, sizeof *to->photons) &&
-           array_reserve(&to->legs, to->leg_count + legs, &page.leg_capacity, sizeof *to->legs);
+    size_t more = size / item;
+    if (!array_reserve(array, *count + more, capacity, item))
+        return error_set(&page.error, "not enough memory for what was found");
+    char *items;
+    memcpy(&items, array, sizeof items);
+    memcpy(items + *count * item, bytes, more * item);
+    *count += more;
+    return true;
 }
 
-static void take_path(void *user, long path)
+static bool take_picture(const char *bytes)
 {
-    (void)user;
-    path_now = path;
-}
-
-static void take_photon(void *user, const StoredPhoton *photon, float flown)
-{
-    Recording *to = user;
-    if (reserve(1, 0))
-        to->photons[to->count++] = (RecordedPhoton){*photon, flown};
-}
-
-static void take_leg(void *user, const Photon *photon, const Hit *hit)
-{
-    Recording *to = user;
-    if ((double)path_now < page.asked.recorded && reserve(0, 1))
-        to->legs[to->leg_count++] = path_leg(photon, hit, path_now, reach);
-}
-
-static void add_ledger(Ledger *sum, const Ledger *part)
-{
-    double *to = sum->emitted;
-    const double *from = part->emitted;
-    for (size_t i = 0; i < sizeof *sum / sizeof *to; i++)
-        to[i] += from[i];
-}
-
-// Emits the paths first … last−1 of all that are asked for, and collects what they leave: parts that follow each other
-// are, together, what one pass gives. Their standard errors of chance are not known.
-bool EXPORT(web_trace)(double first, double last)
-{
-    PhotonRecorder recorder = {&page.collected, take_path, take_photon, take_leg};
-    StepChoice play = page.asked.play;
-    if (page.asked.spectral != 0.0)
-        play.loop = LOOP_WAVELENGTH;
-    PhotonPassOptions options = {
-        .photons = (long)page.asked.photons,
-        .depth = (int)page.asked.depth,
-        .seed = (uint64_t)page.asked.seed,
-        .threads = 1,
-        .keep = KEEP_ALL,
-        .play = play,
-        .first = (long)first,
-        .last = (long)last,
-        .recorder = &recorder,
-    };
-    PhotonPass pass;
-    page.error.message[0] = '\0';
-    steps_play(play);
-    reach = recording_reach(page.scene);
-    if (!photon_pass_run(page.scene, &options, &pass, &page.error))
+    WirePicture head;
+    memcpy(&head, bytes, sizeof head);
+    Image *image = &page.rendered.image;
+    if (!image->pixels && !image_create(image, page.asked.width, page.asked.height, &page.error))
         return false;
-    add_ledger(&page.collected.ledger, &pass.ledger);
-    page.collected.segments += pass.segments;
-    page.collected.emitted = (long)last;
-    page.collected.play = play;
-    photon_pass_free(&pass);
+    rendered_add(&page.rendered, head.width, head.height, (const Colour *)(const void *)(bytes + sizeof head),
+                 head.quick, head.mean_of);
     return true;
 }
 
-// What web_trace collected in another instance, copied into this one's memory, behind what is here.
-bool EXPORT(web_take)(const RecordedPhoton *photons, size_t count, const PathLeg *legs, size_t leg_count, double last)
+static const size_t FOUND_SIZES[RUN_RENDER + 1] = {
+    [RUN_LOBE] = sizeof(LobeSample), [RUN_ESTIMATES] = sizeof(IrradianceEstimate), [RUN_DISKS] = sizeof(ShrinkingDisk)};
+
+static void take_books(RunKind run, const Recording *books)
+{
+    recording_add_books(&page.collected, books);
+    if (!FOUND_SIZES[run] || !page.data)
+        return;
+    page.finding.count = page.finding_bytes / FOUND_SIZES[run];
+    view_data_find(page.data, run, page.finding);
+    page.finding = (Findings){NULL, 0};
+    page.finding_bytes = page.finding_capacity = 0;
+}
+
+// A message of a run, of this instance or of one in a worker: WireKind, as preview/run/wire.h has them. Messages of a
+// part come in their order; parts come in theirs.
+bool EXPORT(web_receive)(int run, int kind, const char *bytes, size_t size)
 {
     Recording *to = &page.collected;
-    if (!reserve(count, leg_count))
-        return error_set(&page.error, "not enough memory for the photons");
-    memcpy(to->photons + to->count, photons, count * sizeof *photons);
-    memcpy(to->legs + to->leg_count, legs, leg_count * sizeof *legs);
-    to->count += count;
-    to->leg_count += leg_count;
-    to->emitted = (long)last;
-    return true;
+    switch ((WireKind)kind) {
+    case WIRE_PHOTONS:
+        return append(&to->photons, &to->count, &page.photon_capacity, sizeof *to->photons, bytes, size);
+    case WIRE_LEGS:
+        return append(&to->legs, &to->leg_count, &page.leg_capacity, sizeof *to->legs, bytes, size);
+    case WIRE_FINDINGS:
+        return append(&page.finding.items, &page.finding_bytes, &page.finding_capacity, 1, bytes, size);
+    case WIRE_PICTURE:
+        return take_picture(bytes);
+    case WIRE_DONE:
+        take_books((RunKind)run, (const Recording *)(const void *)bytes);
+        return true;
+    case WIRE_BEGUN:
+    case WIRE_ALIVE:
+    case WIRE_FAILED:
+    case WIRE_CRASH:
+        return true;
+    }
+    return error_set(&page.error, "a message of an unknown kind");
 }
 
-// Photons, legs: where they lie, how many there are, how many bytes each has.
+// What was collected: photons, legs, and where they lie; emitted; rays traced; passes of the picture.
 const double *EXPORT(web_collected)(void)
 {
-    static double found[8];
+    static double found[9];
     const Recording *all = &page.collected;
-    const double now[8] = {(double)(size_t)all->photons, (double)all->count,     sizeof *all->photons,
+    const double now[9] = {(double)(size_t)all->photons, (double)all->count,     sizeof *all->photons,
                            (double)(size_t)all->legs,    (double)all->leg_count, sizeof *all->legs,
-                           (double)all->emitted,         (double)all->segments};
+                           (double)all->emitted,         (double)all->segments,  (double)page.rendered.passes};
     memcpy(found, now, sizeof found);
     return found;
+}
+
+// What right steps never do, a line each.
+const char *EXPORT(web_oddities)(void)
+{
+    const Recording *all = &page.collected;
+    Oddities found = {&all->ledger, all->emitted, &all->unsound, all->redraw_caps, all->states};
+    oddities_describe(&found, page.text, sizeof page.text);
+    return page.text;
 }
 
 // All that is collected as a file (.ply, .csv), as `photonlab photons` writes it; web_file has it then.

@@ -8,37 +8,43 @@
 #include <stddef.h>
 #include <stdio.h>
 
-typedef enum { AS_DOUBLE, AS_FLOAT, AS_INT, AS_SIZE, AS_BOOL } Storage;
+typedef enum { AS_DOUBLE, AS_FLOAT, AS_INT, AS_LONG, AS_U64, AS_SIZE, AS_BOOL } Storage;
 typedef struct {
     const char *name;
     size_t offset; // in Page
     Storage storage;
     double low, high;
-    bool of_photons; // photons collected before are of another setting
 } Parameter;
 
 #define IN(member) offsetof(Page, member)
 static const Parameter PARAMETERS[] = {
-    {"photons", IN(asked.photons), AS_DOUBLE, 1, MOST_PHOTONS, true},
-    {"depth", IN(asked.depth), AS_DOUBLE, 1, MOST_DEPTH, true},
-    {"seed", IN(asked.seed), AS_DOUBLE, 0, 1e15, true},
-    {"paths", IN(asked.recorded), AS_DOUBLE, 0, 1e6, true},
-    {"spectral", IN(asked.spectral), AS_DOUBLE, 0, 1, true},
-    {"view", IN(view.kind), AS_INT, 0, VIEW_COUNT - 1, false},
-    {"colour", IN(view.colour), AS_INT, 0, COLOUR_COUNT - 1, false},
-    {"wireframe", IN(view.wireframe), AS_BOOL, 0, 1, false},
-    {"flight", IN(view.flight), AS_DOUBLE, -1, SCENE_LARGEST_NUMBER, false},
-    {"most_points", IN(view.most_points), AS_SIZE, 0, MOST_PHOTONS, false},
-    {"target_x", IN(view.orbit.target.x), AS_FLOAT, -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, false},
-    {"target_y", IN(view.orbit.target.y), AS_FLOAT, -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, false},
-    {"target_z", IN(view.orbit.target.z), AS_FLOAT, -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, false},
-    {"distance", IN(view.orbit.distance), AS_FLOAT, SCENE_SMALLEST_LENGTH, SCENE_LARGEST_NUMBER, false},
-    {"yaw", IN(view.orbit.yaw), AS_FLOAT, -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, false},
-    {"pitch", IN(view.orbit.pitch), AS_FLOAT, -PI / 2, PI / 2, false},
-    {"vertical_fov", IN(view.orbit.vertical_fov), AS_FLOAT, 1, 170, false},
-    {"zoom", IN(view.framing.zoom), AS_FLOAT, LEAST_ZOOM, MOST_ZOOM, false},
-    {"right", IN(view.framing.right), AS_FLOAT, -1e6, 1e6, false},
-    {"up", IN(view.framing.up), AS_FLOAT, -1e6, 1e6, false},
+    {"photons", IN(asked.photons), AS_LONG, 1, MOST_PHOTONS},
+    {"depth", IN(asked.depth), AS_INT, 1, MOST_DEPTH},
+    {"seed", IN(asked.seed), AS_U64, 0, 1e15},
+    {"paths", IN(asked.recorded), AS_LONG, 0, 1e6},
+    {"samples", IN(asked.samples), AS_LONG, 0, 1e6},
+    {"spectral", IN(asked.spectral), AS_BOOL, 0, 1},
+    {"integrator", IN(asked.integrator), AS_INT, 0, INTEGRATOR_PATH - 1},
+    {"radii", IN(asked.radii), AS_INT, 0, RADII_RULES - 1},
+    {"passes", IN(asked.passes), AS_INT, 0, 1e6},
+    {"width", IN(asked.width), AS_INT, 0, IMAGE_MAX_SIDE},
+    {"height", IN(asked.height), AS_INT, 0, IMAGE_MAX_SIDE},
+    {"rendered", IN(show_rendered), AS_BOOL, 0, 1},
+    {"view", IN(view.kind), AS_INT, 0, VIEW_COUNT - 1},
+    {"colour", IN(view.colour), AS_INT, 0, COLOUR_COUNT - 1},
+    {"wireframe", IN(view.wireframe), AS_BOOL, 0, 1},
+    {"flight", IN(view.flight), AS_DOUBLE, -1, SCENE_LARGEST_NUMBER},
+    {"most_points", IN(view.most_points), AS_SIZE, 0, MOST_PHOTONS},
+    {"target_x", IN(view.orbit.target.x), AS_FLOAT, -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER},
+    {"target_y", IN(view.orbit.target.y), AS_FLOAT, -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER},
+    {"target_z", IN(view.orbit.target.z), AS_FLOAT, -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER},
+    {"distance", IN(view.orbit.distance), AS_FLOAT, SCENE_SMALLEST_LENGTH, SCENE_LARGEST_NUMBER},
+    {"yaw", IN(view.orbit.yaw), AS_FLOAT, -SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER},
+    {"pitch", IN(view.orbit.pitch), AS_FLOAT, -PI / 2, PI / 2},
+    {"vertical_fov", IN(view.orbit.vertical_fov), AS_FLOAT, 1, 170},
+    {"zoom", IN(view.framing.zoom), AS_FLOAT, LEAST_ZOOM, MOST_ZOOM},
+    {"right", IN(view.framing.right), AS_FLOAT, -1e6, 1e6},
+    {"up", IN(view.framing.up), AS_FLOAT, -1e6, 1e6},
 };
 enum { PARAMETER_COUNT = sizeof PARAMETERS / sizeof *PARAMETERS };
 
@@ -57,7 +63,7 @@ static bool parameter_at(int i, Parameter *found, const ViewSetting **setting, c
                 const ViewSetting *s = *setting = &view_types[view]->settings[j];
                 double high = s->kind == SETTING_SWITCH ? 1 : s->high;
                 snprintf(name, 64, "%s.%s", view_names[view], s->flag);
-                *found = (Parameter){name, IN(view.settings[view][j]), AS_DOUBLE, fmin(s->start, s->low), high, false};
+                *found = (Parameter){name, IN(view.settings[view][j]), AS_DOUBLE, fmin(s->start, s->low), high};
                 return true;
             }
     return false;
@@ -86,6 +92,10 @@ double EXPORT(web_get)(const char *name) // NaN: there is none of this name
         return (double)*(const float *)at;
     case AS_INT:
         return *(const int *)at;
+    case AS_LONG:
+        return (double)*(const long *)at;
+    case AS_U64:
+        return (double)*(const uint64_t *)at;
     case AS_SIZE:
         return (double)*(const size_t *)at;
     case AS_BOOL:
@@ -114,6 +124,12 @@ bool EXPORT(web_set)(const char *name, double value)
     case AS_INT:
         *(int *)at = (int)value;
         break;
+    case AS_LONG:
+        *(long *)at = (long)value;
+        break;
+    case AS_U64:
+        *(uint64_t *)at = (uint64_t)value;
+        break;
     case AS_SIZE:
         *(size_t *)at = (size_t)value;
         break;
@@ -121,8 +137,6 @@ bool EXPORT(web_set)(const char *name, double value)
         *(bool *)at = value != 0.0;
         break;
     }
-    if (p.of_photons)
-        web_forget();
     return true;
 }
 
@@ -134,7 +148,8 @@ static void list_names(const char *key, const char *const *names)
     text_append(page.text, sizeof page.text, "],");
 }
 
-// JSON: views, colours, and all parameters with their ranges; of views' settings also kind, key and words.
+// JSON: words for the values of view, colour, integrator and radii; the kinds of runs, and of which of them each view shows
+// what was found; all parameters with their ranges; of views' settings also kind, key and words.
 const char *EXPORT(web_parameters)(void)
 {
     static const char *const KINDS[] = {"whole", "number", "switch"};
@@ -143,8 +158,16 @@ const char *EXPORT(web_parameters)(void)
     char name[64];
     page.text[0] = '\0';
     text_append(page.text, sizeof page.text, "{");
-    list_names("views", view_names);
-    list_names("colours", colour_names);
+    static const char *const RUNS[] = {"photons", "lobe", "estimates", "disks", "render", NULL};
+    const char *shows[VIEW_COUNT + 1] = {NULL};
+    for (int i = 0; i < VIEW_COUNT; i++)
+        shows[i] = RUNS[view_types[i]->shows];
+    list_names("view", view_names);
+    list_names("shows", shows);
+    list_names("colour", colour_names);
+    list_names("integrator", integrator_names);
+    list_names("radii", radii_rules);
+    list_names("runs", RUNS);
     text_append(page.text, sizeof page.text, "\"parameters\":[");
     for (int i = 0; parameter_at(i, &p, &setting, name); i++) {
         text_append(page.text, sizeof page.text, "%s{\"name\":\"%s\",\"low\":%.9g,\"high\":%.9g,\"value\":%.9g",

@@ -1,7 +1,7 @@
 // The module in a page: web/README.md tells how it is used. No page needs more of it than the class Photonlab.
 
 // The numbers of the interface in the order of web_collected().
-const COLLECTED = ['photonsAt', 'photons', 'photonBytes', 'legsAt', 'legs', 'legBytes', 'emitted', 'segments']
+const COLLECTED = ['photonsAt', 'photons', 'photonBytes', 'legsAt', 'legs', 'legBytes', 'emitted', 'segments', 'passes']
 
 class Photonlab {
     // `compiled`: a WebAssembly.Module, see Photonlab.compile. `canvas`: to draw into; without one (in a worker) photons
@@ -15,6 +15,8 @@ class Photonlab {
         const missing = name => () => {
             throw new Error(`${name}: there is no canvas to draw into`)
         }
+        drawing.photonlab_send = (...message) => lab.sent(...message)
+        drawing.photonlab_beat = fraction => lab.beat(fraction)
         const imports = {env: {}, wasi_snapshot_preview1: photonlabWasi(memory)}
         for (const {module, name} of WebAssembly.Module.imports(compiled))
             if (module === 'env') imports.env[name] = drawing[name] || missing(name)
@@ -86,7 +88,7 @@ class Photonlab {
         this.list = JSON.parse(this.text(this.call('web_parameters')))
     }
 
-    // ---- parameters: names, ranges and values in lab.list.parameters; set({photons: 1e5, view: 'paths', 'lobe.exponent': 50}) ----
+    // ---- parameters: set({photons: 1e5, view: 'paths', 'lobe.exponent': 50}); their names, ranges and words in lab.list ----
 
     set(values) {
         for (const [name, value] of Object.entries(values)) {
@@ -96,48 +98,79 @@ class Photonlab {
     }
 
     numberOf(name, word) {
-        const number = (name === 'view' ? this.list.views : this.list.colours).indexOf(word)
+        const number = (this.list[name] || []).indexOf(word)
         if (number < 0) throw new Error(`${name}: there is no '${word}'`)
         return number
     }
 
+    // A word where lab.list has words for it, a number otherwise.
     get(name) {
         const value = this.call('web_get', name)
-        return name === 'view' ? this.list.views[value] : name === 'colour' ? this.list.colours[value] : value
+        return this.list[name] ? this.list[name][value] : value
     }
 
-    // ---- photons ----
-
-    // Emits the paths first … last−1 of all, and collects what they leave. All of them at once by default.
-    trace(first = 0, last = this.get('photons')) {
-        if (first === 0) this.call('web_forget')
-        this.must('web_trace', first, last)
+    // {name: value} of all parameters.
+    all() {
+        return Object.fromEntries(this.list.parameters.map(({name}) => [name, this.call('web_get', name)]))
     }
 
-    // {photons, legs, emitted, segments}: how many there are by now.
+    // ---- runs ----
+
+    // All photons that are asked for, at once.
+    trace() {
+        this.run('photons')
+    }
+
+    // 'photons', or what a view shows (lab.shows()), or 'render'; or one part of it: parts in their order give the same.
+    run(kind, part = 0, parts = 1) {
+        if (part === 0) this.begin(kind)
+        this.must('web_run', this.list.runs.indexOf(kind), part, parts)
+    }
+
+    // What runs of this kind have found is forgotten.
+    begin(kind) {
+        if (this.canvas) this.must('web_open_canvas')
+        this.call('web_begin', this.list.runs.indexOf(kind))
+    }
+
+    // The kind of run that the present view shows.
+    shows() {
+        return this.list.shows[this.call('web_get', 'view')]
+    }
+
+    // Called with what a run finds, as it finds it: two pieces of memory. Here it goes into this instance; a worker gives it
+    // to another's receive.
+    sent(run, kind, first, firstSize, rest, restSize) {
+        const whole = restSize ? this.put(this.joined(first, firstSize, rest, restSize)) : first
+        this.must('web_receive', run, kind, whole, firstSize + restSize)
+        if (restSize) this.exports.free(whole)
+    }
+
+    joined(first, firstSize, rest, restSize) {
+        const bytes = new Uint8Array(firstSize + restSize)
+        bytes.set(this.bytes().subarray(first, first + firstSize))
+        bytes.set(this.bytes().subarray(rest, rest + restSize), firstSize)
+        return bytes.buffer
+    }
+
+    receive({run, kind, bytes}) {
+        const at = this.put(bytes)
+        this.must('web_receive', run, kind, at, bytes.byteLength)
+        this.exports.free(at)
+    }
+
+    // Some part of a run is done, 0…1.
+    beat() {}
+
+    // {photons, legs, emitted, segments, passes}: how many there are by now.
     collected() {
         const numbers = new Float64Array(this.exports.memory.buffer, this.call('web_collected'), COLLECTED.length)
         return Object.fromEntries(COLLECTED.map((name, i) => [name, numbers[i]]))
     }
 
-    // What was collected here since the last call, for another instance's take(): {photons, legs, last} with ArrayBuffers.
-    give() {
-        const c = this.collected()
-        const part = (at, size) => this.exports.memory.buffer.slice(at, at + size)
-        const given = {
-            photons: part(c.photonsAt, c.photons * c.photonBytes),
-            legs: part(c.legsAt, c.legs * c.legBytes),
-            last: c.emitted,
-        }
-        this.call('web_forget')
-        return given
-    }
-
-    take({photons, legs, last}) {
-        const c = this.collected()
-        const at = [this.put(photons), this.put(legs)]
-        this.must('web_take', at[0], photons.byteLength / c.photonBytes, at[1], legs.byteLength / c.legBytes, last)
-        at.forEach(place => this.exports.free(place))
+    // What right steps never do, a line each.
+    oddities() {
+        return this.text(this.call('web_oddities'))
     }
 
     // All photons as the bytes of a file: 'photons.ply' or 'photons.csv'.
@@ -152,10 +185,6 @@ class Photonlab {
     // What was collected by now is drawn from now on.
     show() {
         this.must('web_show')
-    }
-
-    sampleLobe(count = 10000) {
-        this.must('web_sample_lobe', count)
     }
 
     // As large as canvas.width × canvas.height. `bare`: no words in it.

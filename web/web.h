@@ -3,6 +3,8 @@
 #ifndef PHOTONLAB_WEB_H
 #define PHOTONLAB_WEB_H
 
+#include "preview/record/rendered.h"
+#include "preview/run/run.h"
 #include "preview/view/view.h"
 
 #include <string.h>
@@ -10,32 +12,26 @@
 // A function for JavaScript. What it gives back as text stays until the next call.
 #define EXPORT(name) __attribute__((export_name(#name))) name
 
-// All that decides which photons there are.
 typedef struct {
-    double photons, depth, seed; // whole numbers
-    double recorded;             // paths whose legs are kept
-    double spectral;             // photons of single wavelengths
-    StepChoice play;
-} PhotonSettings;
-
-typedef struct {
-    Scene *scene; // NULL: none yet
-    PhotonSettings asked;
-    Recording collected; // so far; its room is photon_capacity and leg_capacity
-    size_t photon_capacity, leg_capacity;
-    Canvas *canvas; // NULL: nothing was drawn yet
-    ViewData *data; // of the scene
+    Scene *scene;     // NULL: none yet
+    RunRequest asked; // what decides which photons there are; kind, camera and lobe are the view's when it runs
+    bool play_chosen; // asked.play; otherwise what the student's code has
     View view;
+    Recording collected; // so far; there is room for so many:
+    size_t photon_capacity, leg_capacity;
+    Findings finding; // on its way
+    size_t finding_bytes, finding_capacity;
+    Rendered rendered;
+    bool show_rendered; // in place of the photons
+    Canvas *canvas;     // NULL: nothing was drawn yet
+    ViewData *data;     // of the scene
     Error error;
     char text[16384];
 } Page;
 extern Page page;
 
-// Every slot by the solutions; they are linked into the module.
-void web_load_steps(void);
-
-// Photons that were collected are of another setting.
-void web_forget(void);
+// Forgets what was found by runs of this kind; true.
+bool web_begin(int kind);
 
 // The functions that gl.js gives, by name; NULL where it gives none of this name.
 void *web_gl(const char *name);

@@ -1,29 +1,34 @@
-// What a worker does: traces photons, in an instance of the module of its own, and gives them away.
+// What a worker does: runs steps, in an instance of the module of its own, and gives away what they find.
 
 async function photonlabWorker() {
-    let lab = null
+    let lab = null, id = 0
     const answers = {
         open: async ({compiled}) => {
             lab = await Photonlab.open(compiled)
+            lab.sent = (run, kind, ...pieces) => {
+                const bytes = lab.joined(...pieces)
+                postMessage({id, message: {run, kind, bytes}}, [bytes])
+            }
+            lab.beat = fraction => postMessage({id, fraction})
         },
         scene: async ({yaml, name, files}) => {
             for (const [path, bytes] of files) lab.file(path, bytes)
             lab.scene(yaml, name)
         },
-        trace: async ({settings, first, last}) => {
+        run: async ({settings, kind, part, parts}) => {
             lab.set(settings)
-            lab.trace(first, last)
-            return lab.give()
+            lab.run(kind, part, parts)
         },
     }
     let before = Promise.resolve() // one after the other
     onmessage = ({data}) => {
         before = before.then(async () => {
+            id = data.id
             try {
-                const answer = (await answers[data.what](data)) || {}
-                postMessage({...answer, id: data.id}, [answer.photons, answer.legs].filter(Boolean))
+                await answers[data.what](data)
+                postMessage({id, done: true})
             } catch (error) {
-                postMessage({id: data.id, fault: error.message})
+                postMessage({id, fault: error.message, stack: error.stack, trap: error instanceof WebAssembly.RuntimeError})
             }
         })
     }

@@ -1,9 +1,8 @@
-// Photons by workers, a core each: parts of a pass, taken in their order, so that the photons are the same however many
-// workers there are. A worker that does not answer within LIMIT milliseconds is ended, and what it did is told.
+// Runs by workers, a core each: parts of one, whose messages are given in the parts' order, so that what is found is the same
+// however many workers there are. A worker that gives no sign of life for LIMIT milliseconds is ended, and that is told.
 
 const LIMIT = 2000
-const FIRST_PART = 500 // paths; later ones take about PART_TIME
-const PART_TIME = 60 // ms
+const LIMITS = {open: 10000, scene: 10000, run: LIMIT}
 
 class PhotonlabWorkers {
     // The classes above as they stand in the page, in a worker of its own: pages from a disk may not load files.
@@ -14,82 +13,88 @@ class PhotonlabWorkers {
         this.compiled = compiled
         this.workers = Array.from({length: count}, () => null)
         this.ids = 0
-        this.run = 0
+        this.runs = {} // by kind: the number of the last one
     }
 
-    // `scene`: {yaml, name, files}, the same object while it is the same scene. `take` is called with each part, in their
-    // order. Resolves when all are there, or with false when another pass has begun meanwhile; rejects with a fault.
-    async trace(scene, settings, photons, take) {
-        const run = ++this.run
-        let next = 0, part = FIRST_PART, taken = 0, failure = null
-        const waiting = new Map() // by their first path
+    // `scene`: {yaml, name, files}, the same object while it is the same scene. `settings`: lab.all(). `receive` is called with
+    // each message, in order. Resolves to true when all is there, or to false when another run of its kind has begun, or
+    // stop(kind) was called, meanwhile; rejects with a fault.
+    async run(kind, scene, settings, parts, receive) {
+        const run = (this.runs[kind] = (this.runs[kind] || 0) + 1), present = () => run === this.runs[kind]
+        let next = 0, turn = 0, failure = null
+        const waiting = Array.from({length: parts}, () => []), done = new Set()
+        const take = (part, message) => {
+            if (!present()) return
+            if (part === turn) receive(message)
+            else waiting[part].push(message)
+        }
+        const finish = part => {
+            done.add(part)
+            while (present() && done.has(turn)) (waiting[++turn] || []).splice(0).forEach(receive)
+        }
         const work = async i => {
-            while (next < photons && run === this.run && !failure) {
-                const first = next, last = Math.min(first + part, photons), began = performance.now()
-                next = last
-                const answer = await this.ask(i, scene, {what: 'trace', settings, first, last})
-                if (run !== this.run) return
-                waiting.set(first, answer)
-                for (let at; (at = waiting.get(taken)); taken = at.last) {
-                    waiting.delete(taken)
-                    take(at)
-                }
-                const speed = (last - first) / Math.max(performance.now() - began, 0.1)
-                part = Math.round(Math.min(speed * PART_TIME, 2 * part, 50000)) || 1
+            while (next < parts && present() && !failure) {
+                const part = next++
+                await this.ask(i, scene, {what: 'run', settings, kind, part, parts}, message => take(part, message))
+                finish(part)
             }
         }
-        const all = this.workers.map((worker, i) => work(i).catch(error => (failure ||= error)))
-        await Promise.all(all)
-        if (failure && run === this.run) throw failure
-        return run === this.run
+        await Promise.all(this.workers.slice(0, parts).map((worker, i) => work(i).catch(error => (failure ||= error))))
+        if (failure && present()) throw failure
+        return present()
     }
 
-    // What is under way is of no interest any more.
-    stop() {
-        this.run++
+    // What is under way is of no interest any more; what may take long is ended.
+    stop(kind) {
+        this.runs[kind] = (this.runs[kind] || 0) + 1
+        this.workers.forEach((worker, i) => {
+            if (worker && [...worker.asked.values()].some(question => question.kind === kind && kind !== 'photons')) this.end(i, 'stopped')
+        })
     }
 
     // Worker number i is asked, with this scene loaded; it is started when it does not run. It does one after the other, so
     // that nothing can come between the scene and the question.
-    ask(i, scene, message) {
+    ask(i, scene, question, receive) {
         const questions = []
         if (!this.workers[i]) {
             const worker = new Worker(this.url)
             this.workers[i] = {worker, scene: null, asked: new Map(), clock: 0}
-            worker.onmessage = ({data}) => this.answered(i, data)
+            worker.onmessage = ({data}) => this.workers[i] && this.workers[i].worker === worker && this.hear(i, data)
             worker.onerror = event => this.end(i, event.message || 'the worker failed')
-            questions.push(this.send(i, {what: 'open', compiled: this.compiled}, 5 * LIMIT))
+            questions.push(this.send(i, {what: 'open', compiled: this.compiled}))
         }
         if (this.workers[i].scene !== scene) {
             this.workers[i].scene = scene
-            questions.push(this.send(i, {what: 'scene', ...scene}, 5 * LIMIT))
+            questions.push(this.send(i, {what: 'scene', ...scene}))
         }
-        questions.push(this.send(i, message, LIMIT))
-        return Promise.all(questions).then(answers => answers.at(-1))
+        questions.push(this.send(i, question, receive))
+        return Promise.all(questions)
     }
 
-    send(i, message, limit) {
-        const id = ++this.ids, {worker, asked} = this.workers[i]
+    send(i, question, receive) {
+        const id = ++this.ids, {worker, asked} = this.workers[i], {kind} = question
+        const limit = LIMITS[question.what] * (kind && kind !== 'photons' && kind !== 'lobe' ? 5 : 1) // pictures
         return new Promise((resolve, reject) => {
-            asked.set(id, {resolve, reject, limit})
+            asked.set(id, {resolve, reject, receive, limit, kind})
             if (asked.size === 1) this.watch(i)
-            worker.postMessage({...message, id})
+            worker.postMessage({...question, id})
         })
     }
 
-    // From now on the time of the question runs that is answered next.
+    // From now on the time of the question runs that is worked on.
     watch(i) {
-        const {asked} = this.workers[i], [next] = asked.values()
+        const {asked} = this.workers[i], [now] = asked.values()
         clearTimeout(this.workers[i].clock)
-        if (next) this.workers[i].clock = setTimeout(() => this.end(i, `no answer for ${next.limit / 1000} s: an endless loop?`), next.limit)
+        if (now) this.workers[i].clock = setTimeout(() => this.end(i, `no sign of life for ${now.limit / 1000} s: an endless loop?`), now.limit)
     }
 
-    answered(i, {id, fault, ...answer}) {
-        const {asked} = this.workers[i], waiting = asked.get(id)
-        asked.delete(id)
-        this.watch(i)
-        if (fault === undefined) waiting.resolve(answer)
-        else waiting.reject(new Error(fault))
+    hear(i, {id, message, done, fault, stack, trap}) {
+        const {asked} = this.workers[i], question = asked.get(id)
+        if (message) question.receive(message)
+        if (done || fault !== undefined) asked.delete(id)
+        if (this.workers[i]) this.watch(i)
+        if (done) question.resolve()
+        else if (fault !== undefined) question.reject(Object.assign(new Error(fault), {stack, trap}))
     }
 
     end(i, why) {

@@ -1,5 +1,6 @@
 // What the session says around the picture, and drawing both.
 #include "preview/session.h"
+#include "preview/record/rendered.h"
 #include "base/text.h"
 
 #include <stdlib.h>
@@ -73,13 +74,7 @@ static Picture picture_of(const Run *run)
 {
     int passes;
     const Image *image = run ? run_image(run, &passes) : NULL;
-    size_t count = image ? (size_t)image->width * (size_t)image->height : 0;
-    uint8_t *bytes = image ? malloc(count * 4) : NULL;
-    for (size_t i = 0; bytes && i < count; i++) {
-        for (int c = 0; c < 3; c++)
-            bytes[4 * i + (size_t)c] = (uint8_t)(255.0f * srgb_encode(colour_channel(image->pixels[i], c)) + 0.5f);
-        bytes[4 * i + 3] = 255;
-    }
+    uint8_t *bytes = image ? rendered_rgba(image) : NULL;
     return bytes ? (Picture){bytes, image->width, image->height} : (Picture){NULL, 0, 0};
 }
 

@@ -2,6 +2,7 @@
 #include "photons/photon_numbers.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 void recording_measure(Recording *recording)
 {
@@ -37,28 +38,35 @@ bool recording_read(const char *path, const Scene *scene, Recording *recording, 
     return recording->photons || error_set(error, "%s: not enough memory", path);
 }
 
-float recording_reach(const Scene *scene)
+// The error of a sum: each part's error gives back its sum of squares (see photon_pass.c).
+static void add_ledger(Ledger *sum, long sum_paths, const Ledger *part, long paths)
 {
-    float across = box_diagonal(bvh_bounds(scene->bvh));
-    return across > 0.0f && across < 1e30f ? 0.5f * across : 1.0f;
+    for (int c = 0; c < 3; c++) {
+        double before = sum->chance[c], own = part->chance[c];
+        double squares = part->chance_error[c] * part->chance_error[c] + own * own / (double)paths;
+        if (sum_paths > 0)
+            squares += sum->chance_error[c] * sum->chance_error[c] + before * before / (double)sum_paths;
+        sum->emitted[c] += part->emitted[c];
+        sum->absorbed[c] += part->absorbed[c];
+        sum->escaped[c] += part->escaped[c];
+        sum->cut[c] += part->cut[c];
+        sum->chance[c] += own;
+        double variance = squares - sum->chance[c] * sum->chance[c] / (double)(sum_paths + paths);
+        sum->chance_error[c] = sqrt(fmax(0.0, variance));
+    }
 }
 
-PathLeg path_leg(const Photon *photon, const Hit *hit, long path, float reach)
+void recording_add_books(Recording *sum, const Recording *part)
 {
-    float wave = photon->wavelength; // photons that are looked at have but one
-    bool light = hit && hit->material->type == MATERIAL_LIGHT;
-    return (PathLeg){
-        .from = photon->position,
-        .to = hit ? hit->position : vec3_along(photon->position, photon->direction, reach),
-        .power = wave > 0.0f ? colour_scale(spectral_colour(wave), photon->power.r) : photon->power,
-        .flown = photon->flown,
-        .path = (uint32_t)path,
-        .bounce = (uint16_t)(photon->bounce < 65535 ? photon->bounce : 65535),
-        .colour = wave > 0.0f ? band_of_wavelength(wave) : (uint8_t)photon->colour,
-        .end = (uint8_t)(!hit    ? LEG_ESCAPED
-                         : light ? LEG_LIGHT
-                                 : LEG_SURFACE),
-    };
+    if (part->emitted > 0)
+        add_ledger(&sum->ledger, sum->emitted, &part->ledger, part->emitted);
+    sum->emitted += part->emitted;
+    sum->segments += part->segments;
+    unsound_paths_add(&sum->unsound, &part->unsound);
+    sum->redraw_caps += part->redraw_caps;
+    sum->bounces = part->bounces > sum->bounces ? part->bounces : sum->bounces;
+    sum->play = part->play;
+    memcpy(sum->states, part->states, sizeof sum->states);
 }
 
 void recording_free(Recording *recording)
@@ -66,19 +74,6 @@ void recording_free(Recording *recording)
     free(recording->photons);
     free(recording->legs);
     *recording = (Recording){.photons = NULL};
-}
-
-LobeSample lobe_sample(float exponent, float degrees, bool diffuse, uint64_t seed, long i)
-{
-    float angle = degrees * PI / 180.0f;
-    Vec3 normal = vec3(0.0f, 0.0f, 1.0f), incoming = vec3(sinf(angle), 0.0f, -cosf(angle));
-    Rng rng = rng_create(seed, (uint64_t)i);
-    LobeSample sample = {{0.0f, 0.0f, 0.0f}, 1.0f};
-    if (diffuse)
-        sample.direction = steps.scatter_diffuse(normal, &rng);
-    else if (!steps.scatter_glossy(incoming, normal, exponent, &rng, &sample.direction, &sample.weight))
-        sample.weight = 0.0f;
-    return sample;
 }
 
 void findings_free(Findings *findings)

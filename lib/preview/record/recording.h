@@ -45,10 +45,6 @@ static inline float leg_length(const PathLeg *leg)
     return vec3_length(vec3_sub(leg->to, leg->from));
 }
 
-// The leg that a PhotonRecorder tells of; one that leaves the scene is drawn for `reach` metres.
-PathLeg path_leg(const Photon *photon, const Hit *hit, long path, float reach);
-float recording_reach(const Scene *scene); // half across it
-
 // Of one photon pass.
 typedef struct {
     RecordedPhoton *photons; // in the order of the paths: any first part is a fair sample
@@ -73,14 +69,14 @@ void recording_measure(Recording *recording);
 // that cannot be drawn (no numbers, no such material) are left out.
 bool recording_read(const char *path, const Scene *scene, Recording *recording, Error *error);
 void recording_free(Recording *recording);
+// What another part of the pass counted; its photons and legs are not.
+void recording_add_books(Recording *sum, const Recording *part);
 
 // What a scatter step answered about one lobe; a weight of 0 stands for a photon that was absorbed.
 typedef struct {
     Vec3 direction;
     float weight;
 } LobeSample;
-// Number i of a seed, by the step that plays: normal +z, the mirror direction so many degrees from it in the xz plane.
-LobeSample lobe_sample(float exponent, float degrees, bool diffuse, uint64_t seed, long i);
 
 // Where progressive photon mapping (stage 5) looks for photons, at a pixel of a small picture, pass after pass.
 #define DISK_PASSES 64

@@ -4,6 +4,18 @@
 
 #include "preview/run/wire.h"
 
+#include <sys/socket.h>
+
+#ifndef MSG_NOSIGNAL
+#define MSG_NOSIGNAL 0
+#endif
+
+// What the pipes travel in.
+typedef union { // aligned as a header must be
+    struct cmsghdr head;
+    char bytes[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
+} WirePipes;
+
 // The helper's life: never returns.
 void helper_run(const Scene *scene, int socket);
 

@@ -53,7 +53,7 @@ void run_free(Run *run)
     while (*link != run)
         link = &(*link)->next;
     *link = run->next;
-    image_free(&run->image);
+    image_free(&run->rendered.image);
     free(run);
 }
 
@@ -148,6 +148,6 @@ void run_wait(Run *run, double seconds)
 const Image *run_image(const Run *run, int *passes)
 {
     if (passes)
-        *passes = run->passes;
-    return run->image.pixels ? &run->image : NULL;
+        *passes = run->rendered.passes;
+    return run->rendered.image.pixels ? &run->rendered.image : NULL;
 }

@@ -3,6 +3,7 @@
 #define PHOTONLAB_PREVIEW_RUN_INTERNAL_H
 
 #include "base/process.h"
+#include "preview/record/rendered.h"
 #include "preview/run/wire.h"
 
 struct Broker {
@@ -62,8 +63,7 @@ struct Run {
     size_t found_size;
     double look_until;
 
-    Image image;
-    int passes;
+    Rendered rendered;
 };
 
 // Takes what has come from this part, for a moment at most. True: something was new, or may wait for the next time.

@@ -33,27 +33,6 @@ void part_free(Part *part)
         buffer_free(&part->found[kind]);
 }
 
-// The quick picture, blown up.
-static void show_quick(Run *run, const WirePicture *head, const Colour *pixels)
-{
-    for (int y = 0; y < run->image.height; y++)
-        for (int x = 0; x < run->image.width; x++) {
-            int column = (int)((long)x * head->width / run->image.width);
-            int row = (int)((long)y * head->height / run->image.height);
-            *image_at(&run->image, x, y) = pixels[(size_t)row * (size_t)head->width + (size_t)column];
-        }
-}
-
-static void add_pass(Run *run, const Colour *pixels)
-{
-    float share = 1.0f / (float)++run->passes;
-    size_t count = (size_t)run->image.width * (size_t)run->image.height;
-    for (size_t i = 0; i < count; i++) {
-        Colour *mean = &run->image.pixels[i];
-        *mean = colour_add(*mean, colour_scale(colour_sub(pixels[i], *mean), share));
-    }
-}
-
 // Passes are taken in their order, so that the same seed gives the same picture. False: its turn has not come.
 static bool take_picture(Run *run, const Part *part, const char *bytes, size_t size)
 {
@@ -62,24 +41,16 @@ static bool take_picture(Run *run, const Part *part, const char *bytes, size_t s
         return true;
     memcpy(&head, bytes, sizeof head);
     const Colour *pixels = (const Colour *)(const void *)(bytes + sizeof head);
-    if (!head.quick && !head.mean_of && run->passes % run->part_count != (int)(part - run->parts))
+    if (!head.quick && !head.mean_of && run->rendered.passes % run->part_count != (int)(part - run->parts))
         return false;
-    if (!run->image.pixels && !image_create(&run->image, run->request.width, run->request.height, NULL)) {
+    Image *image = &run->rendered.image;
+    if (!image->pixels && !image_create(image, run->request.width, run->request.height, NULL)) {
         run->out_of_memory = true;
         return true;
     }
     size_t expected = sizeof head + (size_t)head.width * (size_t)head.height * sizeof *pixels;
-    bool whole = head.width == run->image.width && head.height == run->image.height;
-    if (expected != size || head.width < 1 || head.height < 1)
-        return true;
-    if (head.quick && run->passes == 0) {
-        show_quick(run, &head, pixels);
-    } else if (head.mean_of && whole) {
-        memcpy(run->image.pixels, pixels, size - sizeof head);
-        run->passes = head.mean_of;
-    } else if (!head.quick && whole) {
-        add_pass(run, pixels);
-    }
+    if (expected == size && head.width > 0 && head.height > 0)
+        rendered_add(&run->rendered, head.width, head.height, pixels, head.quick, head.mean_of);
     run->status.news = true;
     return true;
 }

@@ -10,8 +10,6 @@
 #include <string.h>
 #include <unistd.h>
 
-const char *const radii_rules[RADII_RULES + 1] = {"alike", "pass", "pixel"};
-
 #define PATIENCE   2.0  // s
 #define PER_WORKER 2000 // photons: fewer are not worth a process of their own
 

@@ -6,38 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The error of a sum: each part's error gives back its sum of squares (see photon_pass.c).
-static void add_ledger(Ledger *sum, long sum_paths, const Ledger *part, long paths)
-{
-    for (int c = 0; c < 3; c++) {
-        double before = sum->chance[c], own = part->chance[c];
-        double squares = part->chance_error[c] * part->chance_error[c] + own * own / (double)paths;
-        if (sum_paths > 0)
-            squares += sum->chance_error[c] * sum->chance_error[c] + before * before / (double)sum_paths;
-        sum->emitted[c] += part->emitted[c];
-        sum->absorbed[c] += part->absorbed[c];
-        sum->escaped[c] += part->escaped[c];
-        sum->cut[c] += part->cut[c];
-        sum->chance[c] += own;
-        double variance = squares - sum->chance[c] * sum->chance[c] / (double)(sum_paths + paths);
-        sum->chance_error[c] = sqrt(fmax(0.0, variance));
-    }
-}
-
 static void sum_up(const Run *run, Recording *recording)
 {
-    for (int i = 0; i < run->part_count; i++) {
-        const Recording *part = &run->parts[i].result;
-        if (part->emitted > 0)
-            add_ledger(&recording->ledger, recording->emitted, &part->ledger, part->emitted);
-        recording->emitted += part->emitted;
-        recording->segments += part->segments;
-        unsound_paths_add(&recording->unsound, &part->unsound);
-        recording->redraw_caps += part->redraw_caps;
-        recording->bounces = part->bounces > recording->bounces ? part->bounces : recording->bounces;
-        recording->play = part->play;
-        memcpy(recording->states, part->states, sizeof recording->states);
-    }
+    for (int i = 0; i < run->part_count; i++)
+        recording_add_books(recording, &run->parts[i].result);
 }
 
 void run_describe_oddities(Run *run)

@@ -4,13 +4,7 @@
 
 #include "preview/run/run.h"
 
-#include <sys/socket.h>
-
 #define MOST_WORKERS 8
-
-#ifndef MSG_NOSIGNAL
-#define MSG_NOSIGNAL 0
-#endif
 
 // ---- window to helper, by a socket; with the order to start come the write ends of the workers' pipes ----
 
@@ -21,12 +15,6 @@ typedef struct {
     RunRequest request;
     char code[4096]; // in place of request.code; "": none
 } WireOrder;
-
-// What the pipes travel in.
-typedef union { // aligned as a header must be
-    struct cmsghdr head;
-    char bytes[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
-} WirePipes;
 
 // ---- helper to window: a worker is gone ----
 

@@ -154,32 +154,6 @@ static void set_limits(const Worker *worker)
 #endif
 }
 
-static bool work(Worker *worker, Error *error)
-{
-    const WireOrder *order = worker->order;
-    if (!steps_load(order->code[0] ? order->code : NULL, error))
-        return false;
-    worker_beat(0.0);
-    worker->play = order->request.play_is_given ? order->request.play : step_choice_for_student();
-    bool asked_by_scene = !order->request.play_is_given && worker->scene->settings.spectral;
-    if (order->request.spectral || asked_by_scene)
-        worker->play.loop = LOOP_WAVELENGTH;
-    steps_play(worker->play);
-    switch (order->request.kind) {
-    case RUN_PHOTONS:
-        return worker_photons(worker, error);
-    case RUN_LOBE:
-        return worker_lobe(worker, error);
-    case RUN_ESTIMATES:
-        return worker_estimates(worker, error);
-    case RUN_DISKS:
-        return worker_disks(worker, error);
-    case RUN_RENDER:
-        return worker_render(worker, error);
-    }
-    return error_set(error, "no such kind of run");
-}
-
 void worker_run(Worker *worker, int pipe)
 {
 #if defined(__linux__)
@@ -195,7 +169,7 @@ void worker_run(Worker *worker, int pipe)
     worker_send(WIRE_ALIVE, NULL, 0); // by that it is known to the window
     Error error = {""};
     errno = 0;
-    bool ok = work(worker, &error);
+    bool ok = worker_work(worker, &error);
     over = true;
     if (!ok)
         worker_send(WIRE_FAILED, error.message, strlen(error.message));

@@ -5,6 +5,8 @@
 #include "preview/run/wire.h"
 #include "render/render.h"
 
+#include <sys/types.h>
+
 typedef struct {
     const Scene *scene;
     const WireOrder *order;
@@ -16,7 +18,9 @@ typedef struct {
 // Does the part, sends what it finds down the pipe, and ends the process.
 void worker_run(Worker *worker, int pipe);
 
-// Parts of worker_run, by kind of request. False with a reason.
+// The work itself, by the steps of the order's folder. False with a reason. It and its parts, by kind of request, know no
+// process: what they find goes through worker_send….
+bool worker_work(Worker *worker, Error *error);
 bool worker_photons(Worker *worker, Error *error);
 bool worker_lobe(Worker *worker, Error *error);
 bool worker_estimates(Worker *worker, Error *error);

@@ -1,4 +1,5 @@
 #include "preview/run/worker.h"
+#include "math/rng.h"
 
 #include <string.h>
 
@@ -9,7 +10,7 @@
 typedef struct {
     Worker *worker;
     long first, last, path;
-    float reach;
+    float reach; // how far escaped photons are drawn, m: half across the scene
     long path_photons, path_legs;
     int bounces;
     size_t photon_count, leg_count;
@@ -48,7 +49,20 @@ static void take_leg(void *user, const Photon *photon, const Hit *hit)
         s->bounces = photon->bounce + 1;
     if (s->path >= s->worker->order->request.recorded || s->path_legs++ >= MOST_IN_PATH)
         return;
-    s->legs[s->leg_count] = path_leg(photon, hit, s->path, s->reach);
+    float wave = photon->wavelength; // of preview's photons each has but one
+    bool light = hit && hit->material->type == MATERIAL_LIGHT;
+    s->legs[s->leg_count] = (PathLeg){
+        .from = photon->position,
+        .to = hit ? hit->position : vec3_along(photon->position, photon->direction, s->reach),
+        .power = wave > 0.0f ? colour_scale(spectral_colour(wave), photon->power.r) : photon->power,
+        .flown = photon->flown,
+        .path = (uint32_t)s->path,
+        .bounce = (uint16_t)(photon->bounce < 65535 ? photon->bounce : 65535),
+        .colour = wave > 0.0f ? band_of_wavelength(wave) : (uint8_t)photon->colour,
+        .end = (uint8_t)(!hit    ? LEG_ESCAPED
+                         : light ? LEG_LIGHT
+                                 : LEG_SURFACE),
+    };
     if (++s->leg_count == BATCH)
         flush(WIRE_LEGS, s->legs, sizeof s->legs[0], &s->leg_count);
 }
@@ -76,7 +90,9 @@ bool worker_photons(Worker *worker, Error *error)
     s.worker = worker;
     s.first = request->photons / parts * worker->index;
     s.last = worker->index + 1 < parts ? request->photons / parts * (worker->index + 1) : request->photons;
-    s.reach = recording_reach(worker->scene);
+    Box box = bvh_bounds(worker->scene->bvh);
+    float across = vec3_length(vec3_sub(box.high, box.low));
+    s.reach = across > 0.0f && across < 1e30f ? 0.5f * across : 1.0f;
     PhotonRecorder recorder = {&s, take_path, take_photon, take_leg};
     PhotonPassOptions options = {
         .photons = request->photons,
@@ -100,14 +116,27 @@ bool worker_photons(Worker *worker, Error *error)
     return true;
 }
 
+static LobeSample draw_sample(const RunRequest *request, Vec3 incoming, Vec3 normal, long i)
+{
+    Rng rng = rng_create(request->seed, (uint64_t)i);
+    LobeSample sample = {{0.0f, 0.0f, 0.0f}, 1.0f};
+    if (request->diffuse)
+        sample.direction = steps.scatter_diffuse(normal, &rng);
+    else if (!steps.scatter_glossy(incoming, normal, request->exponent, &rng, &sample.direction, &sample.weight))
+        sample.weight = 0.0f;
+    return sample;
+}
+
 bool worker_lobe(Worker *worker, Error *error)
 {
     (void)error;
     const RunRequest *request = &worker->order->request;
+    float angle = request->angle * PI / 180.0f;
+    Vec3 normal = vec3(0.0f, 0.0f, 1.0f), incoming = vec3(sinf(angle), 0.0f, -cosf(angle));
     LobeSample batch[BATCH];
     size_t count = 0;
     for (long i = 0; i < request->samples; i++) {
-        batch[count++] = lobe_sample(request->exponent, request->angle, request->diffuse, request->seed, i);
+        batch[count++] = draw_sample(request, incoming, normal, i);
         worker_beat((double)(i + 1) / (double)request->samples);
         if (count == BATCH || i + 1 == request->samples)
             flush(WIRE_FINDINGS, batch, sizeof batch[0], &count);

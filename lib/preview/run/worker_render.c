@@ -4,6 +4,8 @@
 
 #define COARSE 8 // pixels of the picture to a side of a pixel of the first one; each next one has half as many
 
+const char *const radii_rules[RADII_RULES + 1] = {"alike", "pass", "pixel"};
+
 static void beat(void *user, const char *phase, double fraction)
 {
     (void)user, (void)phase;
