@@ -1,5 +1,8 @@
 // What is drawn, and what decides how.
+#include "preview/view/view_internal.h"
 #include "web/web.h"
+
+#include "base/text.h"
 
 #include <stdlib.h>
 
@@ -49,12 +52,12 @@ bool EXPORT(web_show)(void)
     return true;
 }
 
-// Draws into the canvas that gl.js has. `bare`: no words in it. `status`: the line at the bottom, "": none.
-bool EXPORT(web_draw)(int width, int height, bool bare, const char *status, const char *banner)
+// Draws into the canvas that gl.js has: no words, which the page has its own for.
+bool EXPORT(web_draw)(int width, int height)
 {
     if (!ready(width, height))
         return false;
-    Captions captions = {.status = status, .banner = banner, .bare = bare};
+    Captions captions = {.status = NULL};
     const Image *image = &page.rendered.image;
     if (page.show_rendered && image->pixels)
         captions.pictures[0] = (Picture){rendered_rgba(image), image->width, image->height};
@@ -70,6 +73,34 @@ const char *EXPORT(web_describe)(void)
     page.text[0] = '\0';
     if (page.data)
         view_type(&page.view)->describe(&page.view, page.data, page.text, sizeof page.text);
+    return page.text;
+}
+
+// Within quotes: whatever a scene calls its materials.
+static void append_quoted(const char *words)
+{
+    text_append(page.text, sizeof page.text, "\"");
+    for (; *words; words++)
+        text_append(page.text, sizeof page.text, *words == '"' || *words == '\\' ? "\\%c" : "%c",
+                    (unsigned char)*words < ' ' ? ' ' : *words);
+    text_append(page.text, sizeof page.text, "\"");
+}
+
+// JSON: what the colours mean, [["#rrggbb", "words"], …].
+const char *EXPORT(web_legend)(void)
+{
+    Legend legend = {.count = 0};
+    page.text[0] = '\0';
+    if (page.data && view_type(&page.view)->legend)
+        view_type(&page.view)->legend(&page.view, page.data, &legend);
+    text_append(page.text, sizeof page.text, "[");
+    for (int i = 0; i < legend.count; i++) {
+        Rgba c = legend.entries[i].colour;
+        text_append(page.text, sizeof page.text, "%s[\"#%02x%02x%02x\",", i ? "," : "", c.r, c.g, c.b);
+        append_quoted(legend.entries[i].text);
+        text_append(page.text, sizeof page.text, "]");
+    }
+    text_append(page.text, sizeof page.text, "]");
     return page.text;
 }
 

@@ -47,7 +47,15 @@ function tell() {
     const {photons, emitted, passes} = state.lab.collected()
     const picture = state.rendering ? ` · rendered: ${passes ? `${passes} pass${passes === 1 ? '' : 'es'}` : 'on its way'}` : ''
     const time = state.seconds ? `, ${state.seconds.toFixed(2)} s` : ''
-    $('words').textContent = `${emitted.toLocaleString('en-GB')} photons, ${photons.toLocaleString('en-GB')} stored${time}${picture}`
+    const legend = state.lab.legend().map(([colour, words]) => {
+        const item = document.createElement('li'), patch = document.createElement('span')
+        patch.style.background = colour
+        item.append(patch, words)
+        return item
+    })
+    $('legend').replaceChildren(...legend)
+    $('description').textContent = state.lab.describe()
+    $('status').textContent = `${emitted.toLocaleString('en-GB')} photons, ${photons.toLocaleString('en-GB')} stored${time}${picture}`
 }
 
 // ---- photons ----

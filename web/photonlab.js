@@ -20,6 +20,7 @@ class Photonlab {
         const imports = {env: {}, wasi_snapshot_preview1: photonlabWasi(memory)}
         for (const {module, name} of WebAssembly.Module.imports(compiled))
             if (module === 'env') imports.env[name] = drawing[name] || missing(name)
+            else imports[module][name] ||= () => 52 // ENOSYS
         lab.canvas = canvas
         lab.exports = (await WebAssembly.instantiate(compiled, imports)).exports
         lab.exports._initialize()
@@ -187,14 +188,19 @@ class Photonlab {
         this.must('web_show')
     }
 
-    // As large as canvas.width × canvas.height. `bare`: no words in it.
-    draw({bare = false, status = '', banner = ''} = {}) {
-        this.must('web_draw', this.canvas.width, this.canvas.height, bare, status, banner)
+    // As large as canvas.width × canvas.height; no words in it.
+    draw() {
+        this.must('web_draw', this.canvas.width, this.canvas.height)
     }
 
     // What the picture shows, in words.
     describe() {
         return this.text(this.call('web_describe'))
+    }
+
+    // What its colours mean: [['#rrggbb', 'words'], …].
+    legend() {
+        return JSON.parse(this.text(this.call('web_legend')))
     }
 
     // By heights of the picture, as the scene follows the hand; zoom below 1: nearer.
@@ -235,6 +241,15 @@ function photonlabWasi(memory) {
             }
             view().setUint32(writtenAt, written, true)
             return 0
+        },
+        environ_sizes_get: (count, size) => { // there is no environment
+            view().setUint32(count, 0, true)
+            view().setUint32(size, 0, true)
+            return 0
+        },
+        environ_get: () => 0,
+        proc_exit: code => {
+            throw new Error(`exit(${code}) was called`)
         },
         fd_close: () => 0,
         fd_seek: () => 8, // EBADF
