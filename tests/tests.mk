@@ -14,7 +14,7 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(LIBRARY)
 $(PREVIEW_TESTS): $(call object,$(PREVIEW_SOURCES))
 $(BUILD)/obj/tests/unit/%.o: OPTIMISE = -O1
 
-.PHONY: check-build check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-exercises \
+.PHONY: check-saves check-build check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-exercises \
         check-preview check-judge check-reports check-attacks check-sandbox check-scatter check-pictures check-arm check-same check-rooms check-extend \
         reference reference-progressive agreement spectra calibrate exercises bench bench-test bench-preview fuzz size format
 
@@ -72,6 +72,10 @@ exercises:
 ##check beside check-preview  the window: faults, keys, the same bytes from OSMesa, EGL and GLFW
 check-preview: judge meshes
 	@bash tests/preview/check.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND)
+
+##check long check-saves  10,000 saves in one window, its helper killed and stopped, a full /tmp; SAVES=100
+check-saves: all meshes
+	@SAVES=$(SAVES) bash tests/preview/saves.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND)
 
 ##check beside check-attacks  every attack costs its step, and nothing else
 # make check has no time for all three; check-sandbox asks each.

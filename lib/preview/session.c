@@ -176,9 +176,25 @@ static bool look_at_scene(Session *session)
     return true;
 }
 
+// Whoever ended the helper: what was under way is asked for again, and what is shown stays.
+static bool look_at_helper(Session *session)
+{
+    if (!session->broker || !broker_renew(session->broker))
+        return false;
+    puts("the preview's helper process was ended from outside; another has taken its place");
+    for (int kind = 0; kind < RUN_RENDER; kind++)
+        for (int i = 0; i < PLAYERS; i++)
+            session_drop(session, (RunKind)kind, i);
+    session_ask_photons(session);
+    if (session->runs[RUN_RENDER][YOURS])
+        session_render(session);
+    return true;
+}
+
 bool session_poll(Session *session)
 {
-    bool news = poll_watch(session);
+    bool news = look_at_helper(session);
+    news |= poll_watch(session);
     news |= look_at_scene(session);
     news |= session_poll_judge(session);
     for (int i = 0; i < PLAYERS; i++)

@@ -12,9 +12,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static bool fork_helper(Broker *broker, const Scene *scene, Error *error)
+static bool fork_helper(Broker *broker, Error *error)
 {
     int ends[2];
+    broker->born = clock_seconds();
+    broker->helpers++;
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0)
         return error_set(error, "preview: no socket for the helper process: %s", strerror(errno));
     for (int i = 0; i < 2; i++)
@@ -23,7 +25,7 @@ static bool fork_helper(Broker *broker, const Scene *scene, Error *error)
     broker->pid = fork();
     if (broker->pid == 0) {
         close(ends[0]);
-        helper_run(scene, ends[1]);
+        helper_run(broker->scene, ends[1]);
     }
     close(ends[1]);
     if (broker->pid < 0) {
@@ -42,8 +44,9 @@ Broker *broker_start(const Scene *scene, const char *code_source, Error *error)
         return NULL;
     }
     broker_workers(broker, 0);
+    broker->scene = scene;
     snprintf(broker->code_source, sizeof broker->code_source, "%s", code_source ? code_source : "");
-    if (fork_helper(broker, scene, error))
+    if (fork_helper(broker, error))
         return broker;
     free(broker);
     return NULL;
@@ -65,15 +68,28 @@ void broker_stop(Broker *broker)
         shutdown(broker->socket, SHUT_RDWR); // its end is the helper's, whoever else may hold it
         close(broker->socket);
     }
-    while (waitpid(broker->pid, NULL, 0) < 0 && errno == EINTR) {
+    while (broker->pid > 0 && waitpid(broker->pid, NULL, 0) < 0 && errno == EINTR) {
     }
     free(broker);
 }
 
-static void lose_helper(Broker *broker)
+// One that is stopped ends by this signal alone.
+void broker_lose(Broker *broker)
 {
+    kill(broker->pid, SIGKILL);
     close(broker->socket);
     broker->socket = -1;
+}
+
+bool broker_renew(Broker *broker)
+{
+    broker_listen(broker);
+    if (broker->socket >= 0 || broker->helpers >= MOST_HELPERS || clock_seconds() - broker->born < 1.0)
+        return false;
+    while (broker->pid > 0 && waitpid(broker->pid, NULL, 0) < 0 && errno == EINTR) {
+    }
+    Error error;
+    return fork_helper(broker, &error);
 }
 
 // The helper always listens. Descriptors travel with the first byte.
@@ -94,7 +110,7 @@ bool broker_send(Broker *broker, const WireOrder *order, const int *pipes)
     while (broker->socket >= 0 && rest.iov_len > 0) {
         ssize_t sent = sendmsg(broker->socket, &message, MSG_NOSIGNAL);
         if (sent < 0 && errno != EINTR)
-            lose_helper(broker);
+            broker_lose(broker);
         if (sent <= 0)
             continue;
         message.msg_controllen = 0;
@@ -111,7 +127,7 @@ void broker_listen(Broker *broker)
         if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
             return;
         if (size != (ssize_t)sizeof end) // so few bytes are never cut
-            lose_helper(broker);
+            broker_lose(broker);
         for (Run *run = broker->runs; run && broker->socket >= 0; run = run->next)
             if (run->number == end.run) {
                 run->parts[end.worker].ended = true;

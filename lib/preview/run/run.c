@@ -89,11 +89,26 @@ static void watch_life(Run *run, Part *part, bool news)
     if (news || part->waiting) {
         part->alive = now;
         part->processor = processor_seconds(part->pid);
+    } else if (part->pid <= 0) { // the helper has started nothing: no student's code is to blame
+        if (now - part->alive > 3.0 * run->patience)
+            broker_lose(run->broker);
     } else if (part->asked > 0.0 && now - part->asked > 0.5) {
         run->stuck = true; // it does not answer
+        run->still = processor_seconds(part->pid) - part->processor < 0.5 * run->patience;
     } else if (part->asked <= 0.0 && is_stuck(run, part, now)) {
         part->asked = now;
         send_signal(run, SIGUSR1, (int)(part - run->parts));
+    }
+}
+
+// A window that stood still itself, at ctrl-z or in a debugger, has heard nothing meanwhile.
+static void allow_for_pause(Run *run)
+{
+    double now = clock_seconds(), gap = now - run->polled;
+    run->polled = now;
+    for (int i = 0; gap > 1.0 && i < run->part_count; i++) {
+        run->parts[i].alive += gap;
+        run->parts[i].asked += run->parts[i].asked > 0.0 ? gap : 0.0;
     }
 }
 
@@ -121,6 +136,7 @@ RunStatus run_poll(Run *run)
     if (run->status.state != RUN_GOING)
         return run->status;
     broker_listen(run->broker);
+    allow_for_pause(run);
     if (run->failing) {
         run_go_on_with_failure(run);
         return run->status;

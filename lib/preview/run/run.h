@@ -12,10 +12,14 @@
 
 typedef struct Broker Broker;
 
-// Call first thing, before steps_load, any window or GL context: it forks. The scene stays the caller's; the helper has a
-// copy. `code_source`: the folder of the student's .c files, for messages ("exercises"); NULL: none.
+// Call first thing, before steps_load, any window or GL context: it forks. The scene stays the caller's, and has to stay; the
+// helper has a copy. `code_source`: the folder of the student's .c files, for messages ("exercises"); NULL: none.
 Broker *broker_start(const Scene *scene, const char *code_source, Error *error);
 void broker_stop(Broker *broker); // ends the helper and all workers; frees the runs
+// Did the helper end, or was it ended, since the last call? Then another has taken its place, and what was asked for has to be
+// asked again. False as well when none can be had, once a second and MOST_HELPERS times at most.
+bool broker_renew(Broker *broker);
+#define MOST_HELPERS 20
 // From now on runs have at most so many workers; 0: one a core.
 void broker_workers(Broker *broker, int most);
 

@@ -90,7 +90,9 @@ static void describe_crash(const Run *run, char *what, size_t size)
 static void describe_end(const Run *run, char *text, size_t size)
 {
     int status = run->end_status;
-    if (run->stuck)
+    if (run->stuck && run->still)
+        snprintf(text, size, "a process of the run stands still and does not answer: was it stopped (kill -STOP)?");
+    else if (run->stuck)
         describe_loop(run, text, size);
     else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
         snprintf(text, size,
@@ -223,8 +225,8 @@ static bool has_failed(Run *run, bool all_done)
     }
     if (run->out_of_memory)
         words = "not enough memory for what the run found; use fewer photons";
-    else if (!run->stuck && run->broker->socket < 0 && !all_done)
-        words = "the preview's helper process is gone; start the preview again";
+    else if (!run->stuck && !all_done && (run->broker->socket < 0 || run->helper != run->broker->helpers))
+        words = "the preview's helper process was ended, or did not answer";
     if (words[0])
         snprintf(run->words, sizeof run->words, "%s", words);
     return words[0] || run->stuck;

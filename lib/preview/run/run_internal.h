@@ -7,8 +7,11 @@
 #include "preview/run/wire.h"
 
 struct Broker {
+    const Scene *scene;
     int socket; // −1: the helper is gone
     pid_t pid;
+    int helpers; // so many there have been
+    double born; // when the last of them was forked
     int workers; // at most, per run
     Run *runs;   // that are not freed, newest first
     uint32_t last_run;
@@ -19,6 +22,8 @@ struct Broker {
 bool broker_send(Broker *broker, const WireOrder *order, const int *pipes);
 // Takes what the helper has told of workers that ended.
 void broker_listen(Broker *broker);
+// Ends a helper that does not answer.
+void broker_lose(Broker *broker);
 
 typedef struct {
     char *bytes;
@@ -44,10 +49,12 @@ struct Run {
     Broker *broker;
     Run *next;
     uint32_t number;
+    int helper; // broker->helpers when it began
     RunRequest request;
     int part_count;
     Part parts[MOST_WORKERS];
     double patience, started, seconds;
+    double polled; // when the window looked last
     RunStatus status;
     bool out_of_memory;
 
@@ -57,6 +64,7 @@ struct Run {
     bool has_crash;
     WireCrash crash;
     bool stuck;       // it was ended by the watch over its signs of life
+    bool still;       // … and has neither worked nor answered
     int end_status;   // of the part that failed
     Process looker;   // the program that looks up function and line
     char found[2048]; // what it printed

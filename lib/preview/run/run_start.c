@@ -34,9 +34,12 @@ static bool begin(Run *run, Error *error)
     }
     WireOrder order = {.run = run->number, .workers = run->part_count, .request = run->request};
     snprintf(order.code, sizeof order.code, "%s", run->request.code ? run->request.code : "");
-    bool ok = opened == run->part_count ? broker_send(run->broker, &order, write_ends) ||
-                                              error_set(error, "the preview's helper process is gone; start it again")
-                                        : error_set(error, "no pipe for a worker: %s", strerror(errno));
+    bool ok =
+        opened == run->part_count
+            ? broker_send(run->broker, &order, write_ends) ||
+                  error_set(error,
+                            "the preview's helper process is gone; if it does not come back, start the preview again")
+            : error_set(error, "no pipe for a worker: %s", strerror(errno));
     for (int i = 0; i < opened; i++)
         close(write_ends[i]); // the worker's end alone keeps the pipe open
     return ok;
@@ -57,9 +60,10 @@ Run *run_start(Broker *broker, const RunRequest *request, Error *error)
     }
     run->broker = broker;
     run->number = ++broker->last_run;
+    run->helper = broker->helpers;
     run->request = *request;
     run->part_count = count_workers(broker, request);
-    run->started = clock_seconds();
+    run->started = run->polled = clock_seconds();
     run->looker.output = -1;
     run_patience(run, PATIENCE);
     for (int i = 0; i < MOST_WORKERS; i++)

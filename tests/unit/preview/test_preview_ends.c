@@ -100,20 +100,97 @@ TEST(the_helper_ends_with_the_window)
     close(told[1]);
 }
 
-TEST(a_lost_helper_is_told)
+static Broker *own_broker(void)
 {
     Error error = {""};
     Broker *own = broker_start(scene, NULL, &error);
     assert_non_null(own);
+    broker_workers(own, 2);
+    return own;
+}
+
+// Another helper plays, although this process has had threads meanwhile.
+static void goes_on(Broker *own)
+{
+    Broker *usual = broker;
+    for (double until = clock_seconds() + 5.0; !broker_renew(own); usleep(10000))
+        assert_true(clock_seconds() < until);
+    assert_false(broker_renew(own));
+    broker = own;
+    good_run("by another helper");
+    broker = usual;
+    broker_stop(own);
+}
+
+TEST(a_lost_helper_is_replaced)
+{
+    Error error = {""};
+    Broker *own = own_broker();
     RunRequest request = photons_request("endless");
     Run *run = run_start(own, &request, &error);
     kill(own->pid, SIGKILL);
     RunStatus status = finish(run);
     assert_int_equal(status.state, RUN_FAILED);
-    assert_string_equal(status.failure, "the preview's helper process is gone; start the preview again");
+    assert_string_equal(status.failure, "the preview's helper process was ended, or did not answer");
     assert_null(run_start(own, &request, &error));
-    assert_string_equal(error.message, "the preview's helper process is gone; start it again");
-    broker_stop(own);
+    assert_non_null(strstr(error.message, "the preview's helper process is gone"));
+    goes_on(own);
+}
+
+// One that is lost while nobody asks for anything is missed, too.
+TEST(a_helper_lost_in_silence_is_replaced)
+{
+    Broker *own = own_broker();
+    kill(own->pid, SIGKILL);
+    goes_on(own);
+}
+
+TEST(a_stopped_helper_is_no_endless_loop)
+{
+    Broker *own = own_broker();
+    RunRequest request = photons_request("good");
+    kill(own->pid, SIGSTOP);
+    Run *run = run_start(own, &request, NULL);
+    run_patience(run, 0.1);
+    RunStatus status = finish(run);
+    assert_int_equal(status.state, RUN_FAILED);
+    assert_string_equal(status.failure, "the preview's helper process was ended, or did not answer");
+    goes_on(own);
+}
+
+// So few photons are one worker's.
+static Run *run_with_worker(void)
+{
+    RunRequest request = photons_request("endless");
+    request.photons = 1000;
+    Run *run = start(&request);
+    while (!run->parts[0].pid) {
+        run_poll(run);
+        usleep(1000);
+    }
+    return run;
+}
+
+TEST(a_stopped_worker_is_no_endless_loop)
+{
+    Run *run = run_with_worker();
+    kill(run->parts[0].pid, SIGSTOP);
+    run_patience(run, 0.4);
+    RunStatus status = finish(run);
+    assert_string_equal(status.failure,
+                        "a process of the run stands still and does not answer: was it stopped (kill -STOP)?");
+    run_free(run);
+}
+
+// A window that was stopped itself, or a clock that jumped, is no sign against its workers.
+TEST(a_pause_is_nobody_s_fault)
+{
+    Run *run = run_with_worker();
+    run_patience(run, 0.3);
+    usleep(1500000);
+    run_poll(run);
+    assert_true(run->parts[0].asked == 0.0);
+    run_free(run);
 }
 
 static int set_up(void **state)
