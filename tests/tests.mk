@@ -71,7 +71,7 @@ exercises:
 
 ##check beside check-preview  the window: faults, keys, the same bytes from OSMesa, EGL and GLFW
 check-preview: judge meshes
-	@bash tests/preview/check.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND)
+	@bash tests/preview/check.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND) $(FEW)
 
 ##check long check-saves  10,000 saves in one window, its helper killed and stopped, a full /tmp; SAVES=100
 check-saves: all meshes

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# The preview's window under Xvfb, and its pictures without a display. Usage: check.sh PROGRAM BUILD COMMAND, where COMMAND
-# builds a step: sh -c COMMAND sh SOURCE.c OBJECT.so.
+# The preview's window under Xvfb, and its pictures without a display. Usage: check.sh PROGRAM BUILD COMMAND [few], where
+# COMMAND builds a step: sh -c COMMAND sh SOURCE.c OBJECT.so; few: one drill of each sort.
 set -u
 program=$1
 preview_build=$3
+few=${4:-}
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
 . "$here/common.sh"
