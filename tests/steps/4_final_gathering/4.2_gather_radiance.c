@@ -194,45 +194,20 @@ static void judge_kind(const Results *results, Kind kind, Finding *finding)
     }
 }
 
-static void plan_rough(Plan *plan)
-{
-    plan_kind(plan, ROUGH);
-}
-
-static void judge_rough(const Results *results, Finding *finding)
-{
-    judge_kind(results, ROUGH, finding);
-}
-
-static void plan_mirror(Plan *plan)
-{
-    plan_kind(plan, MIRROR);
-}
-
-static void judge_mirror(const Results *results, Finding *finding)
-{
-    judge_kind(results, MIRROR, finding);
-}
-
-static void plan_dark(Plan *plan)
-{
-    plan_kind(plan, DARK);
-}
-
-static void judge_dark(const Results *results, Finding *finding)
-{
-    judge_kind(results, DARK, finding);
-}
-
-static void plan_glass(Plan *plan)
-{
-    plan_kind(plan, GLASS);
-}
-
-static void judge_glass(const Results *results, Finding *finding)
-{
-    judge_kind(results, GLASS, finding);
-}
+// A check of one kind.
+#define PLAN_AND_JUDGE(name, kind)                                                                                     \
+    static void plan_##name(Plan *plan)                                                                                \
+    {                                                                                                                  \
+        plan_kind(plan, kind);                                                                                         \
+    }                                                                                                                  \
+    static void judge_##name(const Results *results, Finding *finding)                                                 \
+    {                                                                                                                  \
+        judge_kind(results, kind, finding);                                                                            \
+    }
+PLAN_AND_JUDGE(rough, ROUGH)
+PLAN_AND_JUDGE(mirror, MIRROR)
+PLAN_AND_JUDGE(dark, DARK)
+PLAN_AND_JUDGE(glass, GLASS)
 
 DEFINE_CHECKS(gather_radiance,
               {"rough", "The light that leaves a rough surface", CHECK_VALUES, plan_rough, judge_rough, false},
