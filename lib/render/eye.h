@@ -38,6 +38,16 @@ typedef struct {
     char apart[128]; // eyes lie side by side: what one thread counts must not share a cache line with another's
 } Eye;
 
+// What an eye ray carries.
+typedef struct {
+    Colour weight;       // the share of what it brings back that reaches the camera: tells bright rays from faint ones
+    PhotonColour colour; // WHITE, or the one that is left after dispersing glass
+    float wavelength;    // nm; 0: all of them. With wavelengths, the one that is left after dispersing glass
+    int bounce;          // surfaces met so far
+    bool sees_lights;    // false where shadow rays have counted them
+    float distance;      // m, so far
+} EyeRay;
+
 // Radiance that comes back along the ray, W/(m²·sr), with the photon maps.
 Colour eye_radiance(Eye *eye, const Ray *ray);
 
@@ -47,6 +57,13 @@ Colour path_radiance(Eye *eye, Ray ray);
 // Radiance towards wo that the surface at `hit` reflects of light straight from the sources, by one shadow ray to
 // each.
 Colour direct_light(Eye *eye, const Hit *hit, Vec3 wo);
+
+// One way on from a surface, by a share of what the ray carries. Faint rays play roulette.
+Colour eye_follow(Eye *eye, const Hit *hit, Vec3 direction, Colour share, EyeRay carried);
+
+// Light through glass: each way is followed or, while the ray is faint, one of both. In dispersing glass a white ray
+// refracts three ways, one for each channel, and each goes on in its own colour.
+Colour eye_glass(Eye *eye, const Hit *hit, Vec3 direction, EyeRay carried);
 
 // Light of the caustic map.
 Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo);
