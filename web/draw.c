@@ -76,8 +76,7 @@ const char *EXPORT(web_describe)(void)
     return page.text;
 }
 
-// Within quotes: whatever a scene calls its materials.
-static void append_quoted(const char *words)
+void web_append_quoted(const char *words)
 {
     text_append(page.text, sizeof page.text, "\"");
     for (; *words; words++)
@@ -97,7 +96,7 @@ const char *EXPORT(web_legend)(void)
     for (int i = 0; i < legend.count; i++) {
         Rgba c = legend.entries[i].colour;
         text_append(page.text, sizeof page.text, "%s[\"#%02x%02x%02x\",", i ? "," : "", c.r, c.g, c.b);
-        append_quoted(legend.entries[i].text);
+        web_append_quoted(legend.entries[i].text);
         text_append(page.text, sizeof page.text, "]");
     }
     text_append(page.text, sizeof page.text, "]");

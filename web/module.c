@@ -34,6 +34,8 @@ bool EXPORT(web_scene)(const char *text, size_t size, const char *name, bool kee
         page.asked.depth = scene->settings.depth;
         page.asked.spectral = scene->settings.spectral;
         page.asked.integrator = scene->settings.integrator;
+        page.k = scene->settings.k;
+        page.radius = scene->settings.radius;
     }
     for (int kind = 0; kind <= RUN_RENDER; kind++)
         web_begin(kind);
@@ -126,14 +128,17 @@ bool EXPORT(web_receive)(int run, int kind, const char *bytes, size_t size)
     return error_set(&page.error, "a message of an unknown kind");
 }
 
-// What was collected: photons, legs, and where they lie; emitted; rays traced; passes of the picture.
+// What was collected: photons, legs, and where they lie; emitted; rays traced; passes of the picture; the farthest that one of
+// those that are shown had flown, m.
 const double *EXPORT(web_collected)(void)
 {
-    static double found[9];
+    static double found[10];
     const Recording *all = &page.collected;
-    const double now[9] = {(double)(size_t)all->photons, (double)all->count,     sizeof *all->photons,
-                           (double)(size_t)all->legs,    (double)all->leg_count, sizeof *all->legs,
-                           (double)all->emitted,         (double)all->segments,  (double)page.rendered.passes};
+    const double now[10] = {(double)(size_t)all->photons, (double)all->count,
+                            sizeof *all->photons,         (double)(size_t)all->legs,
+                            (double)all->leg_count,       sizeof *all->legs,
+                            (double)all->emitted,         (double)all->segments,
+                            (double)page.rendered.passes, page.data ? view_data_recording(page.data)->farthest : 0.0};
     memcpy(found, now, sizeof found);
     return found;
 }

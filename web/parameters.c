@@ -24,6 +24,8 @@ static const Parameter PARAMETERS[] = {
     {"paths", IN(asked.recorded), AS_LONG, 0, 1e6},
     {"samples", IN(asked.samples), AS_LONG, 0, 1e6},
     {"spectral", IN(asked.spectral), AS_BOOL, 0, 1},
+    {"k", IN(k), AS_INT, 1, MOST_K},
+    {"radius", IN(radius), AS_FLOAT, 0, SCENE_LARGEST_NUMBER},
     {"integrator", IN(asked.integrator), AS_INT, 0, INTEGRATOR_PATH - 1},
     {"radii", IN(asked.radii), AS_INT, 0, RADII_RULES - 1},
     {"passes", IN(asked.passes), AS_INT, 0, 1e6},

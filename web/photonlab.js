@@ -1,7 +1,7 @@
 // The module in a page: web/README.md tells how it is used. No page needs more of it than the class Photonlab.
 
 // The numbers of the interface in the order of web_collected().
-const COLLECTED = ['photonsAt', 'photons', 'photonBytes', 'legsAt', 'legs', 'legBytes', 'emitted', 'segments', 'passes']
+const COLLECTED = ['photonsAt', 'photons', 'photonBytes', 'legsAt', 'legs', 'legBytes', 'emitted', 'segments', 'passes', 'farthest']
 
 class Photonlab {
     // `compiled`: a WebAssembly.Module, see Photonlab.compile. `canvas`: to draw into; without one (in a worker) photons
@@ -87,6 +87,11 @@ class Photonlab {
         const size = new TextEncoder().encode(yaml).length
         this.must('web_scene', yaml, size, name, keepView)
         this.list = JSON.parse(this.text(this.call('web_parameters')))
+    }
+
+    // Numbers in a scene's text that may be changed, and where they stand: see values.c.
+    values(yaml) {
+        return JSON.parse(this.text(this.call('web_values', yaml, new TextEncoder().encode(yaml).length)))
     }
 
     // ---- parameters: set({photons: 1e5, view: 'paths', 'lobe.exponent': 50}); their names, ranges and words in lab.list ----

@@ -61,7 +61,10 @@ bool EXPORT(web_run)(int kind, int part, int parts)
     request->diffuse = lobe[LOBE_DIFFUSE] != 0.0;
     request->camera = orbit_camera(&page.view.orbit);
     order.workers = parts;
-    Worker worker = {.scene = page.scene, .order = &order, .index = part};
+    Scene scene = *page.scene;
+    scene.settings.k = page.k;
+    scene.settings.radius = page.radius;
+    Worker worker = {.scene = &scene, .order = &order, .index = part};
     caps_before = redraw_cap_count();
     return worker_work(&worker, &page.error);
 }

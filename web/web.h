@@ -15,6 +15,8 @@
 typedef struct {
     Scene *scene;     // NULL: none yet
     RunRequest asked; // what decides which photons there are; kind, camera and lobe are the view's when it runs
+    int k;            // of estimates in rendered pictures,
+    float radius;     // and their largest radius, m; 0: no limit
     bool play_chosen; // asked.play; otherwise what the student's code has
     View view;
     Recording collected; // so far; there is room for so many:
@@ -32,6 +34,9 @@ extern Page page;
 
 // Forgets what was found by runs of this kind; true.
 bool web_begin(int kind);
+
+// Appends to page.text, within quotes, what somebody may have written: names of materials, say.
+void web_append_quoted(const char *words);
 
 // The functions that gl.js gives, by name; NULL where it gives none of this name.
 void *web_gl(const char *name);
