@@ -251,6 +251,15 @@ expect 0 "of them at a mirror: your step 1.1 (reflect) gave a direction whose le
     "$program" photons $scene --photons 2000 -o "$work/c.ply" --code "$work/code"
 rm "$stage1/1.1_reflect.so"
 
+# A crash and a loop without end are named, and end nothing but the work.
+student 1.3_scatter_diffuse '(void)rng; return *(Vec3 *)(size_t)(normal.x > 2.0f);'
+expect 1 "step 1.3, step.c:3: scatter_diffuse: segmentation fault" $play
+expect 1 "step 1.3, step.c:3: scatter_diffuse: segmentation fault" \
+    "$program" photons $scene --photons 2000 -o "$work/c.ply" --code "$work/code"
+student 1.3_scatter_diffuse 'volatile float turns = 0.0f; for (;;) turns = turns + normal.x * rng_float(rng);'
+expect 1 "step 1.3.*scatter_diffuse: it ran on for .* a loop that never ends?" timeout 300 $play --threads 1
+rm "$stage1/1.3_scatter_diffuse.so"
+
 echo 'not an object' >"$stage1/1.4_russian_roulette.so"
 expect 1 "step 1.4: cannot load" $play
 rm "$stage1/1.4_russian_roulette.so" && mkfifo "$stage1/1.4_russian_roulette.so"

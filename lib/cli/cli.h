@@ -28,7 +28,7 @@ int report_error(const Error *error);
 typedef struct {
     double started, drawn;
     char phase[32];
-    bool shown;
+    bool wanted, shown;
 } ProgressBar;
 Progress progress_bar_start(ProgressBar *bar, bool quiet);
 void progress_bar_end(ProgressBar *bar);

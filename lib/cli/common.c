@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "cli/guard.h"
 #include "photons/pass/oddities.h"
 
 #include <math.h>
@@ -15,6 +16,9 @@ int report_error(const Error *error)
 static void draw_bar(void *user, const char *phase, double fraction)
 {
     ProgressBar *bar = user;
+    guard_alive();
+    if (!bar->wanted)
+        return;
     double now = clock_seconds();
     if (strcmp(bar->phase, phase) != 0) {
         snprintf(bar->phase, sizeof bar->phase, "%s", phase);
@@ -35,9 +39,7 @@ static void draw_bar(void *user, const char *phase, double fraction)
 
 Progress progress_bar_start(ProgressBar *bar, bool quiet)
 {
-    *bar = (ProgressBar){0.0, 0.0, "", false};
-    if (quiet || !isatty(STDERR_FILENO))
-        return (Progress){NULL, NULL};
+    *bar = (ProgressBar){.wanted = !quiet && isatty(STDERR_FILENO)};
     return (Progress){draw_bar, bar};
 }
 

@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "cli/guard.h"
 #include "base/file.h"
 #include "photons/photon_file.h"
 
@@ -75,6 +76,7 @@ int command_photons(int count, char **arguments)
     int wrong = parse(count, arguments, &a);
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
+    guard_begin(a.code);
     Error error = {""};
     Scene *scene = NULL;
     if (!file_may_write(a.out, &error) || !steps_load(a.code, &error) || !(scene = scene_load(a.scene, &error)))

@@ -1,3 +1,4 @@
+#include "cli/guard.h"
 #include "cli/render_passes.h"
 #include "base/file.h"
 
@@ -156,6 +157,7 @@ int command_render(int count, char **arguments)
     int wrong = parse(count, arguments, &a);
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
+    guard_begin(a.code);
     Error error = {""};
     Scene *scene = file_may_write(a.out, &error) ? scene_load(a.scene, &error) : NULL;
     if (!scene)

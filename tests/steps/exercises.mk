@@ -16,7 +16,9 @@ CODE_SOURCE := $(if $(CODE_KEY),$(shell cd $(CODE_QUOTED) && case $(CODE_QUOTED)
                      ln -sfn "`pwd -P`" "$$link"; echo '$(BUILD)/code/$(CODE_KEY)/source';; \
                  (*) echo $(CODE_QUOTED);; esac))
 endif
-CODE_OBJECTS := $(patsubst $(CODE_SOURCE)/%.c,$(CODE_BUILD)/%.so,$(wildcard $(CODE_SOURCE)/[0-9]*_*/*.c))
+# Steps alone; what else ends in .c there is to be included, or a copy.
+STEP_FILES   := $(patsubst exercises/.stubs/%,%,$(wildcard exercises/.stubs/*/*.c))
+CODE_OBJECTS := $(patsubst $(CODE_SOURCE)/%.c,$(CODE_BUILD)/%.so,$(wildcard $(addprefix $(CODE_SOURCE)/,$(STEP_FILES))))
 
 # How a step is compiled, the same in preview, render, test, submit and a class: with debug information, every warning, and the
 # arithmetic of the library. The judge and the scripts of tests/ find it in the environment.
@@ -54,7 +56,11 @@ endif
 code-there:
 	@test -n "$(CODE_SOURCE)" || { echo $(call quoted,CODE=$(CODE): no such folder) >&2; exit 2; }
 	@for so in $(CODE_BUILD)/*/*.so; do \
-	    c=$${so#$(CODE_BUILD)/}; [ -e "$(CODE_SOURCE)/$${c%.so}.c" ] || rm -f "$$so"; done
+	    c=$${so#$(CODE_BUILD)/}; c=$${c%.so}.c; \
+	    { [ -e "$(CODE_SOURCE)/$$c" ] && [ -e "exercises/.stubs/$$c" ]; } || rm -f "$$so"; done
+	@mkdir -p $(CODE_BUILD); touch $(CODE_BUILD)/strays; for c in $(CODE_SOURCE)/[0-9]*_*/*.c; do \
+	    name=$${c#$(CODE_SOURCE)/}; [ ! -e "$$c" ] || [ -e "exercises/.stubs/$$name" ] || grep -qxF "$$name" $(CODE_BUILD)/strays || \
+	    { echo "$$name" >>$(CODE_BUILD)/strays; echo "  $$c is no step and does not play by itself"; }; done
 code-built: code-there $(CODE_OBJECTS)
 exercises-built: code-built
 

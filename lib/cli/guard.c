@@ -1,0 +1,180 @@
+// What the guarded process tells of its end goes down a pipe, as one Fall; a later one knows more than an earlier.
+#include "cli/guard.h"
+#include "cli/cli.h"
+#include "base/crash_report.h"
+#include "base/crash_words.h"
+#include "base/parallel.h"
+#include "base/process.h"
+#include "base/text.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#if defined(__linux__)
+#include <sys/prctl.h>
+#endif
+
+#define TICK        1  // s of processor time, of all threads together, between looks
+#define PATIENCE    10 // ticks a thread without a part of the work done
+#define MOST_PLACES 16
+
+typedef struct {
+    int signal; // SIGPROF: it never ends
+    bool stack_far, calls_itself;
+    unsigned long long address, offset;
+    char object[PATH_MAX];
+} Fall;
+
+static int out = -1; // to the one who waits
+static char student[PATH_MAX];
+static volatile sig_atomic_t ticks;
+static Fall fall;
+static const void *inner; // the innermost function of theirs on the way to it
+
+void guard_alive(void)
+{
+    ticks = 0;
+}
+
+static void take_place(const CrashPlace *place)
+{
+    if (strncmp(place->object, student, strlen(student)) != 0)
+        return;
+    fall.calls_itself = fall.calls_itself || (inner && place->function == inner);
+    inner = inner ? inner : place->function;
+    if (fall.object[0])
+        return;
+    fall.offset = place->offset;
+    strncpy(fall.object, place->object, sizeof fall.object - 1);
+}
+
+static void on_crash(const Crash *crash)
+{
+    fall.signal = crash->signal;
+    fall.stack_far = crash->stack_far;
+    fall.address = crash->address;
+    write_all(out, &fall, sizeof fall); // over a broken stack the way up may not be found
+    crash_walk(crash->place, take_place);
+    write_all(out, &fall, sizeof fall);
+}
+
+// It strikes the thread that works. One that stands in the library's own code may just have much to do.
+static void on_tick(int number)
+{
+    int reason = errno;
+    if (++ticks > PATIENCE * parallel_threads(0)) {
+        fall.object[0] = '\0';
+        crash_walk(NULL, take_place);
+        fall.signal = number;
+        if (fall.object[0] && write_all(out, &fall, sizeof fall))
+            _exit(EXIT_INPUT);
+    }
+    errno = reason;
+}
+
+static void watch(void)
+{
+    const int fatal[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP};
+    crash_watch(on_crash, fatal, sizeof fatal / sizeof *fatal);
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = on_tick;
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGPROF, &action, NULL);
+    const struct itimerval every = {{TICK, 0}, {TICK, 0}};
+    setitimer(ITIMER_PROF, &every, NULL);
+#if defined(__linux__)
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
+}
+
+// "step 1.3, 1.3_scatter_diffuse.c:14: scatter_diffuse"
+static void name_place(char *text, size_t size)
+{
+    char offset[32], id[8], answer[4096] = "";
+    size_t used = 0;
+    const char *slash = strrchr(fall.object, '/'), *name = slash ? slash + 1 : fall.object;
+    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", fall.object, offset, NULL};
+    SourcePlace places[MOST_PLACES];
+    Process process;
+    snprintf(id, sizeof id, "%.*s", (int)strcspn(name, "_"), name);
+    snprintf(offset, sizeof offset, "0x%llx", fall.offset);
+    int count = 0;
+    if (process_start(&process, arguments, PRINTS_OUTPUT)) {
+        int status;
+        while (process.output >= 0 || !process_has_ended(&process, &status))
+            process_read(&process, answer, sizeof answer, &used);
+        count = crash_places(answer, places, MOST_PLACES);
+    }
+    int own = 0; // what stands in a header is the library's, built into the step
+    while (own < count && strstr(places[own].file, ".h"))
+        own++;
+    const StepInfo *step = step_find(id);
+    snprintf(text, size, "step %s", id);
+    if (own < count)
+        text_append(text, size, ", %s:%d", places[own].file, places[own].line);
+    text_append(text, size, ": %s", step ? step->symbol : "?");
+}
+
+static void explain(void)
+{
+    char place[600] = "while none of your steps ran", what[256];
+    if (fall.object[0])
+        name_place(place, sizeof place);
+    if (fall.signal == SIGPROF)
+        snprintf(what, sizeof what,
+                 "it ran on for %d s of processor time without a part of the work done: a loop that never ends?",
+                 PATIENCE * TICK);
+    else if (fall.stack_far)
+        crash_describe_stack(NULL, fall.calls_itself ? "it" : NULL, what, sizeof what);
+    else
+        crash_describe_signal(fall.signal, fall.address, "", what, sizeof what);
+    fprintf(stderr, "\n%s: %s\n", place, what);
+}
+
+static void wait_for(pid_t child, int in)
+{
+    Fall next;
+    int status = 0;
+    size_t used = 0;
+    signal(SIGINT, SIG_IGN); // the one who works knows what to do
+    for (ssize_t got; (got = read(in, (char *)&next + used, sizeof next - used)) > 0 || (got < 0 && errno == EINTR);) {
+        used += got > 0 ? (size_t)got : 0;
+        if (used == sizeof next) {
+            fall = next;
+            used = 0;
+        }
+    }
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+        continue;
+    if (fall.signal)
+        explain();
+    else if (WIFSIGNALED(status))
+        fprintf(stderr, "\nended by signal %d (%s)\n", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    _exit(fall.signal || !WIFEXITED(status) ? EXIT_INPUT : WEXITSTATUS(status));
+}
+
+void guard_begin(const char *code)
+{
+    int ends[2];
+    char folder[PATH_MAX];
+    if (!code || !realpath(code, folder) || pipe(ends) != 0)
+        return;
+    snprintf(student, sizeof student, "%.*s/", PATH_MAX - 2, code);
+    pid_t child = fork();
+    if (child > 0) {
+        close(ends[1]);
+        wait_for(child, ends[0]);
+    }
+    close(ends[0]);
+    out = ends[1];
+    if (child == 0)
+        watch();
+}
