@@ -59,6 +59,10 @@ make_odd() {
     cp "$solved/$reflect" "$odd/beside/"
     put_step "$odd/two/exercises" && { echo "int x;" && cat "$solved/$turn"; } >"$odd/two/old/2.2_turn_to.c"
     cp "$solved/$reflect" "$odd/capital/1.1_reflect.C" && echo "int x;" >"$odd/capital/helper.c"
+    mkdir -p "$odd/helped/exercises/1_diffuse_photon_map" "$odd/helped/exercises/util"
+    echo 'static inline float twice(float x) { return 2.0f * x; }' >"$odd/helped/exercises/util/twice.inl"
+    sed 's|#include "photonlab.h"|&\n#include "../util/twice.inl"|; s/-2.0f \* along/-twice(along)/' "$solved/$reflect" \
+        >"$odd/helped/exercises/$reflect"
     put_step "$odd/linked" && echo "int emit_photon(" >"$odd/linked/1.2_emit_photon.c" && ln -s "$root/solutions/$reflect" "$odd/linked/1.1_reflect.c"
     put_step "$odd/late" && cp "$odd"/capital/1.1* "$odd/late/1.1_reflect.c"
     local loop # three steps that wait for ever take longer than the time that is given below
@@ -82,6 +86,7 @@ check_odd() {
     holds_row beside ',graded,no,4,100,.*the empty step; yours was taken' "a started file wins over the empty one"
     holds_row two 'not graded,no,0,100,.*2.2 is started both in `exercises.*` and in `old/2.2_turn_to.c`' "which of two"
     holds_row capital ',graded,no,4,.*helper.c is not called like a step' "1.1_reflect.C; helper.c is named"
+    holds_row helped ',graded,no,4,100,' "a file to include, in a folder of its own"
     holds_row linked ',graded,no,5,.*1.1_reflect.c is a link' "a link is named"
     holds_row judy 'unreadable,no,0,100,.*a file alone' "a loose file has a row"
     in_table odd-out '^doe,' '^doe,"a;b",doe,graded,yes,9,100,' "odd: files flat in the folder become a submission"
@@ -245,7 +250,7 @@ all)
     cat "$work/odd-lines"
     passed=$((passed + $(grep -c '^✓' "$work/odd-lines")))
     failed=$((failed + $(grep -c '^✗' "$work/odd-lines")))
-    check "$(grep -c '^[✓✗]' "$work/odd-lines") == 15" "odd: all of it was tried"
+    check "$(grep -c '^[✓✗]' "$work/odd-lines") == 16" "odd: all of it was tried"
     check_class; check_roster; check_canvas; check_moodle; check_languages; check_gradescope
     ;;
 odd | class | roster | canvas | moodle | languages) "check_$1" ;;

@@ -24,7 +24,7 @@ bool found_is_archive(const char *name)
 
 bool found_wants(const char *path)
 {
-    static const char *const endings[] = {".c", ".h", ".cc", ".cpp", ".cxx", ".c.txt"};
+    static const char *const endings[] = {".c", ".h", ".inl", ".cc", ".cpp", ".cxx", ".c.txt"};
     size_t length = strlen(path);
     bool is_code = false;
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {

@@ -3,8 +3,10 @@
 //   archive or directory ──▶ archive.c / directory.c ──▶ Found: C files in memory ──▶ place.c, choose.c: which ones
 //                                                     count ──▶ write.c ──▶ TO/<stage>/<step>.c
 //
-// Nothing that an archive says about paths, links, owners or rights ever reaches the disk: only names from the step
-// table and plain header names are written.
+// Beside its steps a submission may hold files to include, of the student's own: C files and headers (.c, .h, .inl), in the
+// stages' folders, beside them or in folders of their own. make test, make submit and this take the same.
+//
+// Nothing that an archive says about links, owners or rights ever reaches the disk, and of paths only such as lead down.
 #ifndef PHOTONLAB_CLASS_UNPACK_H
 #define PHOTONLAB_CLASS_UNPACK_H
 
@@ -76,7 +78,9 @@ bool same_words(const FoundFile *a, const FoundFile *b); // the same but for whi
 int choose_steps(const Found *found, Chosen *chosen, Error *error);
 // What was not taken, and why, in at most `size` bytes.
 void choose_note(const Found *found, const Chosen *chosen, char *note, size_t size);
-// Writes the steps and the headers beside them to `to`, with choose_steps' codes.
+// A file to include, below the folder that a chosen step's stage lies in: its path from there. NULL: it is none.
+const char *helper_path(const FoundFile *file, const Chosen *chosen);
+// Writes the steps and the files to include to `to`, with choose_steps' codes.
 int write_chosen(const Found *found, const Chosen *chosen, const char *to, Error *error);
 
 #endif

@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 bool same_words(const FoundFile *a, const FoundFile *b)
 {
@@ -112,8 +113,7 @@ static void note_file(const FoundFile *file, const Chosen *chosen, Note *note, s
 {
     Place place = place_of(file->path);
     const FoundFile *taken = place.step ? chosen->of[place.step - step_table] : NULL;
-    size_t length = strlen(place.name);
-    bool is_header = length > 2 && strcmp(place.name + length - 2, ".h") == 0;
+    const char *helper = helper_path(file, chosen), *ending = strrchr(place.name, '.');
     if (file == taken || (place.foreign && !chosen->foreign_too && !place.step))
         return;
     if (file->broken && !place.foreign)
@@ -123,8 +123,10 @@ static void note_file(const FoundFile *file, const Chosen *chosen, Note *note, s
             add_note(note, file->path, "lies in a folder of the framework's and was not taken");
         else
             note->more++;
-    } else if (!place.step && !is_header)
+    } else if (!place.step && !helper)
         add_note(note, file->path, "is not called like a step and was not taken");
+    else if (helper && strcasecmp(ending, ".c") == 0)
+        add_note(note, file->path, "is not called like a step: it is there to include, and not graded");
     else if (taken && !same_words(file, taken))
         add_note(note, file->path, "is the empty step; yours was taken from another folder");
 }

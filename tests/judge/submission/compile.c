@@ -73,7 +73,7 @@ static Status compile(const GradeOptions *options, const Paths *p, StepWords *to
     snprintf(link_flags, sizeof link_flags, "%s", options->link_flags);
     snprintf(include, sizeof include, "-I%s", p->include);
     int count = split_words(flags, words, 1);
-    const char *const compile_words[] = {include, "-fmax-errors=20", "-c", p->source, "-o", p->object, NULL};
+    const char *const compile_words[] = {include, "-fmax-errors=20", "-MMD", "-c", p->source, "-o", p->object, NULL};
     memcpy(words + count, compile_words, sizeof compile_words);
     if (!run_tool(options, p, words, &ran, &error))
         return words_say(told, STATUS_SKIP, "the compiler could not be run: %s", error.message);
@@ -90,6 +90,59 @@ static Status compile(const GradeOptions *options, const Paths *p, StepWords *to
         return STATUS_PASS;
     snprintf(told->output, sizeof told->output, "%.16000s", ran.text);
     return words_say(told, STATUS_ERROR, "it compiles, but cannot be linked");
+}
+
+// The next name of the compiler's list, as for make, where `\ ` is a blank in a name; it is cut up. NULL: no more.
+static char *next_name(char **rest)
+{
+    char *from = *rest + strspn(*rest, " \n"), *name = from, *to = from;
+    for (; *from && *from != ' ' && *from != '\n'; *to++ = *from++)
+        from += from[0] == '\\' && from[1] == ' ';
+    *rest = from + (*from != '\0');
+    *to = '\0';
+    return *name ? name : NULL;
+}
+
+// What stands behind the last `/../`, or all.
+static const char *last_up(const char *path)
+{
+    for (const char *up; (up = strstr(path, "/../"));)
+        path = up + 4;
+    return path;
+}
+
+// A file of the student's own that is included and would not be handed in: its path in the submission, or NULL.
+static const char *left_behind(const char *code, char *list)
+{
+    size_t length = strlen(code);
+    for (char *name = next_name(&list); name; name = next_name(&list)) {
+        const char *ending = strrchr(name, '.');
+        if (strncmp(name, code, length) != 0 || name[length] != '/' || !ending)
+            continue;
+        bool hidden = false;
+        for (const char *part = name + length; (part = strstr(part, "/.")); part++)
+            hidden = hidden || part[2] != '.';
+        if (hidden || (strcmp(ending, ".c") && strcmp(ending, ".h") && strcmp(ending, ".inl")))
+            return last_up(name + length + 1);
+    }
+    return NULL;
+}
+
+static Status check_includes(const Paths *p, StepWords *words)
+{
+    char path[4096];
+    size_t size;
+    Error ignored = {""};
+    snprintf(path, sizeof path, "%.*s.d", (int)(strrchr(p->object, '.') - p->object), p->object);
+    char *made = file_read(path, 1u << 20, &size, &ignored);
+    const char *left = made ? left_behind(p->code, made) : NULL;
+    Status status = STATUS_PASS;
+    if (left)
+        status = words_say(words, STATUS_ERROR,
+                           "it includes `%.300s`, which would not be handed in: call files of your own .c, .h or .inl",
+                           left);
+    free(made);
+    return status;
 }
 
 // A source must be a file of its own: a link could name anything on the machine.
@@ -124,6 +177,8 @@ Status compile_step(const GradeOptions *options, const StepInfo *step, StepWords
     Status status = find_source(&p, words);
     if (status == STATUS_PASS)
         status = compile(options, &p, words);
+    if (status == STATUS_PASS)
+        status = check_includes(&p, words);
     if (status == STATUS_PASS)
         status = object_check(options, step, p.source, p.object, words);
     if (status == STATUS_TODO)
