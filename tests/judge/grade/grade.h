@@ -20,6 +20,7 @@ typedef struct {
     StepWords words;
     char mistake[64]; // name of the likely mistake, empty when none is
     char looks_like[300];
+    char tile[100]; // its place in the notes' gallery, "m-1-1-…"; empty: it has none
     CheckResult checks[MOST_CHECKS];
     int check_count;
     const char *failing_cases; // "calls.txt" or "scenes.txt" in the step's directory, and the number of the case there:
@@ -39,6 +40,9 @@ void step_result_free(StepResult *result);
 // STATUS_PASS when all went through.
 Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, char *const *lines, size_t count,
                  Numbers *numbers, float **storage, long *crashed_case, StepResult *result);
+
+// Where the step printed and failed: keeps of what it printed what it prints in the case that failed, run again alone.
+void show_printed(const GradeOptions *options, StepResult *result);
 
 // Who likely made which mistake: compares features with tests/mistakes/features.txt.
 void diagnose(const GradeOptions *options, StepResult *result);

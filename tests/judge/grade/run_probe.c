@@ -31,9 +31,9 @@ static void copy_printed(const char *text, char *output, size_t size)
 }
 
 static void make_job(const GradeOptions *options, const StepInfo *step, bool scene, const char *directory,
-                     const char *object, ProbeJob *job)
+                     const char *cases, const char *object, ProbeJob *job)
 {
-    probe_job_start(options, directory, scene ? "scenes.txt" : "calls.txt", job);
+    probe_job_start(options, directory, cases, job);
     const char *const words[] = {"--step", step->id, "--object", object};
     probe_job_words(job, words, 4);
     probe_job_show(job, "%s", object);
@@ -51,7 +51,7 @@ Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, 
     snprintf(object, sizeof object, "%s/step.so", directory);
     ProbeJob job;
     ProbeRun ran;
-    make_job(options, step, scene, directory, object, &job);
+    make_job(options, step, scene, directory, scene ? "scenes.txt" : "calls.txt", object, &job);
     Status status = probe_job_run(options, &job, step->id, lines, count, numbers, &ran);
     *storage = ran.storage;
     if (*ran.message)
@@ -64,4 +64,45 @@ Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, 
     if (status == STATUS_ERROR && !ran.forged)
         crash_describe(options, &ran.sandbox, object, step->symbol, &result->words);
     return status;
+}
+
+// The line of this number, from 0; the caller frees it. NULL: it cannot be read.
+static char *line_of(const char *path, long number)
+{
+    FILE *stream = fopen(path, "r");
+    char *line = NULL;
+    size_t size = 0;
+    long at = -1;
+    while (stream && at < number && getline(&line, &size, stream) >= 0)
+        at++;
+    if (stream)
+        fclose(stream);
+    if (at == number)
+        line[strcspn(line, "\n")] = '\0';
+    else
+        free(line);
+    return at == number ? line : NULL;
+}
+
+void show_printed(const GradeOptions *options, StepResult *result)
+{
+    char *printed = result->words.output + result->words.compiled, directory[4000], path[4096], object[4096];
+    if (!*printed || !result->failing_cases)
+        return;
+    step_directory(options, result->step, directory, sizeof directory);
+    snprintf(path, sizeof path, "%s/%s", directory, result->failing_cases);
+    snprintf(object, sizeof object, "%s/step.so", directory);
+    char *line = line_of(path, result->failing_case);
+    ProbeJob job;
+    ProbeRun ran;
+    Numbers numbers;
+    make_job(options, result->step, strcmp(result->failing_cases, "scenes.txt") == 0, directory, "failing.txt", object,
+             &job);
+    if (line && probe_job_run(options, &job, result->step->id, &line, 1, &numbers, &ran) != STATUS_SKIP) {
+        size_t room = sizeof result->words.output - result->words.compiled;
+        size_t said = (size_t)snprintf(printed, room, "(in the case that failed)\n");
+        copy_printed(ran.sandbox.text, printed + said, room - said);
+    }
+    free(line ? ran.storage : NULL);
+    free(line);
 }

@@ -213,7 +213,6 @@ int main(int count, char **arguments)
     char *text = file_read(a.cases, MOST_CASE_BYTES, &size, &error);
     if (!text)
         return fail(&error);
-    setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what a step prints is out before it crashes
     probe_watch(a.object, a.objects);
     FileWriter writer = {0};
     bool ok = load(&a, graded, &error) && (!a.out || file_write_begin(&writer, a.out, &error));

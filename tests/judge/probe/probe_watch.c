@@ -3,6 +3,7 @@
 #include "base/crash_report.h"
 
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/time.h>
@@ -13,6 +14,10 @@
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
+#endif
+
+#if defined(__GLIBC__)
+#include <stdio_ext.h>
 #endif
 
 #define MOST_PLACES 16
@@ -80,8 +85,29 @@ static void send_place(const CrashPlace *place)
     send(text, put_number(to, place->offset, 16));
 }
 
+static char printed[1 << 16]; // not yet on its way
+
+// A step may print a line in each of a million calls: many go out together, and the last ones before a crash.
+static void buffer_output(void)
+{
+#if defined(__GLIBC__)
+    setvbuf(stdout, printed, _IOFBF, sizeof printed);
+#else
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
+#endif
+}
+
+static void send_printed(void)
+{
+#if defined(__GLIBC__)
+    ssize_t ignored = write(STDOUT_FILENO, printed, __fpending(stdout));
+    (void)ignored;
+#endif
+}
+
 static void report_crash(const Crash *crash)
 {
+    send_printed();
     char line[512];
     char *to = put_text(line, "\nphotonlab-crash signal=");
     to = put_number(to, (unsigned long long)crash->signal, 10);
@@ -134,6 +160,7 @@ static void set_alarm(void)
 
 void probe_watch(const char *object, const char *objects)
 {
+    buffer_output();
     snprintf(watched, sizeof watched, "%s", object ? object : "");
     if (objects)
         snprintf(folder, sizeof folder, "%s/", objects);

@@ -131,29 +131,49 @@ static pid_t start(SandboxKind kind, const SandboxRun *run, const Launch *launch
     return -1;
 }
 
-// Keeps the end of what is printed; of what a compiler says, the beginning.
+#define KEPT (sizeof((SandboxResult *)NULL)->text - 1)
+#define HEAD (KEPT / 2) // of it, for the beginning
+
+// Keeps beginning and end of what is printed, however much that is; of what a compiler says, the beginning.
 static void keep(SandboxResult *result, size_t *used, const char *bytes, size_t count)
 {
-    size_t most = sizeof result->text - 1;
-    result->printed += count;
-    result->flooded = result->printed > SANDBOX_MOST_PRINTED;
-    if (result->keeps_beginning && count > most - *used)
-        count = most - *used;
-    size_t surplus = *used + count > most ? *used + count - most : 0;
-    if (surplus > 0) {
-        surplus = surplus < *used ? surplus : *used;
-        memmove(result->text, result->text + surplus, *used - surplus);
-        *used -= surplus;
+    size_t room = KEPT - *used;
+    if (result->keeps_beginning && count > room) {
+        result->left_out += count - room;
+        count = room;
     }
-    memcpy(result->text + *used, bytes, count); // at most a chunk, which is smaller than that
+    if (count > room) { // a chunk is no longer than the room for the end
+        size_t surplus = count - room;
+        memmove(result->text + HEAD, result->text + HEAD + surplus, *used - HEAD - surplus);
+        *used -= surplus;
+        result->left_out += surplus;
+    }
+    memcpy(result->text + *used, bytes, count);
     *used += count;
     result->text[*used] = '\0';
+}
+
+// A line in the place of what was left out, and of the parts of lines beside it.
+static void mark_gap(SandboxResult *result)
+{
+    if (result->left_out == 0 || result->keeps_beginning)
+        return;
+    char *end = result->text + HEAD, *rest = strchr(end, '\n'), line[80];
+    while (end > result->text && end[-1] != '\n')
+        end--;
+    rest = rest ? rest + 1 : result->text + HEAD;
+    int length = snprintf(line, sizeof line, "%s… %.3g MB of what was printed are left out …\n",
+                          end == result->text ? "\n" : "", 1e-6 * (double)(result->left_out + (size_t)(rest - end)));
+    if (end + length > rest)
+        end = rest - length;
+    memcpy(end, line, (size_t)length);
+    memmove(end + length, rest, strlen(rest) + 1);
 }
 
 // True while there may be more to come.
 static bool read_some(int out, SandboxResult *result, size_t *used)
 {
-    char bytes[16384];
+    char bytes[KEPT - HEAD];
     ssize_t got = read(out, bytes, sizeof bytes);
     if (got > 0)
         keep(result, used, bytes, (size_t)got);
@@ -168,7 +188,7 @@ static void watch(pid_t child, int out, const SandboxRun *run, SandboxResult *re
     bool more = true, ended = false;
     int state = 0;
     struct rusage usage;
-    while (!ended && !result->flooded && !result->timed_out) {
+    while (!ended && !result->timed_out) {
         struct pollfd wait = {more ? out : -1, POLLIN, 0};
         if (poll(&wait, 1, more ? 20 : 2) > 0)
             more = read_some(out, result, &used);
@@ -182,11 +202,12 @@ static void watch(pid_t child, int out, const SandboxRun *run, SandboxResult *re
     while (wait4(child, &state, 0, &usage) < 0 && errno == EINTR)
         continue;
     // What was still on its way. The pipe ends with the last process that holds it; one that fled is not waited for long.
-    for (deadline = now() + GRACE; more && !result->flooded && now() < deadline;) {
+    for (deadline = now() + GRACE; more && now() < deadline;) {
         struct pollfd wait = {out, POLLIN, 0};
         if (poll(&wait, 1, 50) > 0)
             more = read_some(out, result, &used);
     }
+    mark_gap(result);
     result->wall_seconds = now() - begin;
     result->cpu_seconds = (double)usage.ru_utime.tv_sec + (double)usage.ru_stime.tv_sec +
                           1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);

@@ -36,19 +36,17 @@ typedef struct {
     long memory_mb, file_mb; // memory 0: no limit (AddressSanitizer)
 } SandboxRun;
 
-#define SANDBOX_MOST_PRINTED (64u << 20) // bytes; a program that prints more is ended
-
 typedef struct {
     int exit_code;  // when it ended by itself; −1 otherwise
     int signal;     // that ended it, 0: none
     bool timed_out; // wall clock
-    bool flooded;   // printed more than SANDBOX_MOST_PRINTED
     double cpu_seconds, wall_seconds;
     double cpu_limit, wall_limit; // as they were asked for
     long memory_mb;
-    char text[32768];     // what it printed (both streams); when it was more, the end of it …
-    bool keeps_beginning; // … or, of a compiler, the beginning
-    size_t printed;       // bytes in all
+    char text
+        [32768]; // what it printed (both streams); when it was more, its beginning and its end, and a line between …
+    bool keeps_beginning; // … or, of a compiler, the beginning alone
+    size_t left_out;      // bytes
 } SandboxResult;
 
 // False only when it could not be started at all.
