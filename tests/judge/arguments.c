@@ -89,5 +89,6 @@ int arguments_parse(int count, char **arguments, Arguments *a)
     g->cpu_seconds = (double)seconds;
     g->memory_limit = !sanitized;
     g->compile_only = a->scatters > 0;
+    g->no_pictures = a->features;
     return 0;
 }

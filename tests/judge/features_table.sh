@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the table that the diagnosis reads, tests/mistakes/features.txt: what each step's checks measure on the solution
-# and on the a patch of each known mistake. Mean over SALTS gradings, and the error of a single one: what the check states,
+# and on the a patch of each known mistake, and on each row of more.txt. Mean over SALTS gradings, and the error of a single one: what the check states,
 # or half as much again as the gradings scatter, since a check need not state any. Pictures stay out: they are calibrated
 # apart.
 #
@@ -10,12 +10,16 @@ set -u
 salts=${SALTS:-8}
 jobs=${JOBS:-$(nproc)}
 export FEATURES=1
+. "${BASH_SOURCE%/*}/grader_cases.sh"
 
 table=tests/mistakes/features.txt
 
-# A record, its three lines as one; a name that comes twice is the first's.
+# A record, its three lines as one; a name that comes twice is the first's, one that is gone goes. Its text is as it stands today.
 joined() {
-    paste -d $'\a' - - - | awk -F '\a' '!seen[$1]++'
+    paste -d $'\a' - - - | awk -F '\a' 'NR == FNR { split($0, known, "\t"); text[known[1]] = known[2]; next }
+        seen[$1]++ { next }
+        { name = $1; sub(" ", "_", name); right = name ~ /_right$/ }
+        right || name in text { print $1 "\a" (right ? "right" : text[name]) "\a" $3 }' <(mistake_texts) -
 }
 
 list() {
@@ -27,6 +31,7 @@ list() {
         name=$(basename "$mistake")
         echo "$name ${name%%_*} $(echo solutions/*/"${name%%_*}"_*.c) ${mistake}a.patch"
     done
+    more_cases
 }
 
 for ((i = 0; i < salts; i++)); do
@@ -37,13 +42,7 @@ done | sort -s -k 1,1 | awk '
             return
         split(name, part, "_")
         step = part[1]
-        file = "tests/mistakes/" name "/text"
-        text = "right"
-        if (substr(name, length(step) + 2) != "right") {
-            getline text < file
-            close(file)
-        }
-        printf "%s %s\n%s\n", step, substr(name, length(step) + 2), text
+        printf "%s %s\n\n", step, substr(name, length(step) + 2)
         for (f = 1; f <= count; f++) {
             if (check[f] == "picture")
                 continue

@@ -3,7 +3,7 @@
 # (MISTAKE: what the diagnosis named, or -).
 #
 # Usage: grade_case.sh CASE STEP SOURCE [PATCH]      run from the checkout; SOURCE is copied to its place in a submission
-# that holds nothing else, and patched. Environment: PHOTONLAB_… (see tests/steps/exercises.mk), SALT, CASES (a
+# that holds nothing else, and patched; with a table as PATCH (more.txt), by the row of the case's name. Environment: PHOTONLAB_… (see tests/steps/exercises.mk), SALT, CASES (a
 # directory to work in), FEATURES (not empty: print the judge's line of features instead), PIN (a core to stay on), JUDGE_FLAGS.
 set -u
 case=$1 step=$2 source=$3 patch=${4:-}
@@ -13,7 +13,11 @@ place=${solution#solutions/}
 rm -rf "$directory"
 mkdir -p "$directory/code/${place%/*}" "$directory/work" "$directory/report"
 cp "$source" "$directory/code/$place"
-if [ -n "$patch" ] && ! patch -s -d "$directory/code" -p2 <"$patch" >"$directory/patch.log" 2>&1; then
+if [ "${patch##*.}" = txt ]; then
+    awk -F '|' -v name="${case##*/}" '$1 == name { sub("^[^|]*[|][^|]*[|]", ""); print }' "$patch" >"$directory/edit"
+    sed -i -f "$directory/edit" "$directory/code/$place"
+    cmp -s "$source" "$directory/code/$place" && { echo "$case $step row-changes-nothing 0 -"; exit 0; }
+elif [ -n "$patch" ] && ! patch -s -d "$directory/code" -p2 <"$patch" >"$directory/patch.log" 2>&1; then
     echo "$case $step patch-does-not-apply 0 -"
     exit 0
 fi

@@ -5,7 +5,30 @@ step_of() {
     echo "${name%%_*}"
 }
 
+# What each known mistake looks like: NAME, a tab, its text.
+mistake_texts() {
+    local file
+    for file in tests/mistakes/[0-9]*/text; do
+        file=${file%/text}
+        printf '%s\t%s\n' "${file##*/}" "$(head -1 "$file/text")"
+    done | awk -F '[\t|]' '
+        { text[$1] = $2; print $1 "\t" $2 }
+        END {
+            while ((getline <"tests/mistakes/more.txt") > 0)
+                if (!/^#/) print $1 "\t" (sub("^=", "", $2) ? text[$2] : $2)
+        }'
+}
+
+# Lines "CASE STEP SOURCE PATCH" of the rows of more.txt; its name stands for a patch.
+more_cases() {
+    local name rest
+    while IFS='|' read -r name rest; do
+        echo "${1:-}$name ${name%%_*} $(echo solutions/*/"${name%%_*}"_*.c) tests/mistakes/more.txt"
+    done < <(grep -v '^#' tests/mistakes/more.txt)
+}
+
 # Lines "CASE STEP SOURCE [PATCH]". The kind is what stands before the slash: a and b (the two patches of a known mistake),
+# more (a row of more.txt),
 # unknown (a mistake that is not in the table), right (alternatives), solution, stub. Stubs are made in directory $1.
 grader_cases() {
     local file name step solution
@@ -30,6 +53,7 @@ grader_cases() {
         esac
         echo "$name $step $(echo solutions/*/"$step"_*.c) $file"
     done
+    more_cases more/
 }
 
 # Grades the lines that come in, JOBS at a time, and prints "CASE STEP STATUS POINTS MISTAKE" for each.

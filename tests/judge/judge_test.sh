@@ -71,8 +71,12 @@ printf '#include "photonlab.h"\nVec3 reflect(Vec3 direction, Vec3 normal) { (voi
 judged 1 "non-void function" --step 1.1
 printf '#include "photonlab.h"\nfloat two = 2;\nVec3 reflect(Vec3 d, Vec3 n) { return vec3_along(d, n, -two * vec3_dot(d, n)); }\n' >"$stage1/1.1_reflect.c"
 judged 1 "write \`const\` before it" --step 1.1
+printf '#include "photonlab.h"\nVec3 reflect(Vec3 d, Vec3 n) { static int calls; calls++; return vec3_along(d, n, -2.0f * vec3_dot(d, n) * (calls > 0)); }\n' >"$stage1/1.1_reflect.c"
+judged 1 "take the word \`static\` away" --step 1.1
+printf '#include "photonlab.h"\nVec3 reflect(Vec3 d, Vec3 n) { Rng rng = rng_create(1, 1); (void)d; return scatter_diffuse(n, &rng); }\n' >"$stage1/1.1_reflect.c"
+judged 1 "write steps.scatter_diffuse(…)" --step 1.1
 printf '#include <stdio.h>\n#include "photonlab.h"\nVec3 reflect(Vec3 d, Vec3 n) { printf("here\\n"); return *(Vec3 *)0; (void)d; (void)n; }\n' >"$stage1/1.1_reflect.c"
-judged 1 "printed: here" --step 1.1
+judged 1 "printed: (in the case that failed) here" --step 1.1
 
 # The finale is of the student's own steps: none may be left for the reference to play, whatever STEP says.
 mkdir -p "$work/nothing"
@@ -85,6 +89,35 @@ ln -s "$build"/* "$work/build/" 2>/dev/null
 rm -rf "$work/build/test"
 ln -s "$work/test" "$work/build/test"
 GDB_FLAGS=-batch expect 0 "SIGSEGV" sh "$here/debug.sh" "$work/build" 1.1 </dev/null
+
+# Right code prints as much as it likes; wrong code's words are those of the case that failed.
+solved=solutions/1_diffuse_photon_map
+sed 's/#include "photonlab.h"/&\n#include <stdio.h>/; s/float phi.*/& printf("u1 = %f, u2 = %f, cos_theta = %f, sin_theta = %f, phi = %f\\n", (double)u1, (double)u2, (double)cos_theta, (double)sin_theta, (double)phi);/' \
+    $solved/1.3_scatter_diffuse.c >"$stage1/1.3_scatter_diffuse.c"
+judged 0 "1 passed, 0 failed" --step 1.3 --seconds 60
+sed 's/#include "photonlab.h"/&\n#include <stdio.h>/; s/ float along/ printf("normal.y = %g\\n", (double)normal.y); &/; s/-2.0f \* along/normal.y > 0.99f ? -along : &/' \
+    $solved/1.1_reflect.c >"$stage1/1.1_reflect.c"
+judged 1 "printed: (in the case that failed) normal.y = 1 make hint" --step 1.1
+rm "$stage1/1.3_scatter_diffuse.c"
+
+# Files to include: those that are handed in, too.
+mkdir "$work/my code/util"
+echo 'static inline float twice(float x) { return 2.0f * x; }' | tee "$work/my code/util/twice.inl" >"$work/my code/util/twice.txt"
+with() { sed "s|#include \"photonlab.h\"|&\n#include \"../util/$1\"|; s/-2.0f \* along/-twice(along)/" $solved/1.1_reflect.c >"$stage1/1.1_reflect.c"; }
+with twice.inl
+judged 0 "1 passed, 0 failed" --step 1.1
+with twice.txt
+judged 1 "it includes \`util/twice.txt\`, which would not be handed in" --step 1.1
+rm -r "$work/my code/util"
+
+# A copy beside the steps plays nowhere, and is told once.
+mkdir -p "$work/strays/1_diffuse_photon_map"
+cp $solved/1.1_reflect.c "$work/strays/1_diffuse_photon_map/"
+cp $solved/1.1_reflect.c "$work/strays/1_diffuse_photon_map/1.1_reflect copy.c"
+stray() { make -s BUILD="$build" CODE="$work/strays" code-built >"$work/out" 2>&1; }
+ok "a stray .c beside the steps stops nothing" stray
+ok "and is named" grep "1.1_reflect copy.c is no step" "$work/out"
+ok "once" eval 'stray && not grep "is no step" "$work/out"'
 
 # The scatter of a stage: right code passes, a mistake shows, a crash costs that line alone, one step alone has none.
 rm -rf "$work/my code"
@@ -113,6 +146,10 @@ head -c 1000 "$photons" >"$work/cut.photons"
 { head -c 5000 "$photons"; head -c 6000 /dev/zero | tr '\0' '\377'; tail -c +11001 "$photons"; } >"$work/nan.photons"
 expect 1 "is no file of photons" "${preview[@]}" "$work/cut.photons"
 expect 0 "" "${preview[@]}" "$work/nan.photons" # they are left out
+# Wrong on the steel ball alone, where no check of the step looks: the scatter names the step.
+sed -i 's/turn_to(local, mirror)/turn_to(local, exponent > 150.0f \&\& exponent < 250.0f ? normal : mirror)/' "$work/my code/2_glossy_lobe/2.4_scatter_glossy_phong.c"
+judged 1 "look at 2.4: with the reference in its place the photons are right" --stage 2
+cp solutions/2_glossy_lobe/2.4_scatter_glossy_phong.c "$work/my code/2_glossy_lobe/"
 # A null pointer on the steel ball alone.
 sed -i 's/^{$/{ if (exponent > 150.0f \&\& exponent < 250.0f) return *(volatile bool *)0;/' "$work/my code/2_glossy_lobe/2.4_scatter_glossy_phong.c"
 judged 1 "2.1 2.2 2.4 did not get through: segmentation fault in scatter_glossy_phong of step 2.4, line" --stage 2

@@ -88,21 +88,20 @@ static size_t lines_in(const char *text)
     return lines;
 }
 
-// Lines as they stand, since a compiler's point at columns. `first`: the first ones; otherwise the last.
-static void print_lines(const char *text, bool first)
+// Lines as they stand, since a compiler's point at columns: the first `before`, and with them the last that MOST_LINES has room
+// for.
+static void print_lines(const char *text, size_t before)
 {
     char *lines = clean(text), *line = lines;
-    size_t count = lines_in(lines), skip = count > MOST_LINES ? count - MOST_LINES : 0;
-    if (skip > 0 && !first)
-        printf(INDENT "… %zu lines before\n", skip);
+    size_t count = lines_in(lines), after = MOST_LINES - before;
     for (size_t i = 0; i < count; i++) {
         size_t length = strcspn(line, "\n");
-        if (first ? i < MOST_LINES : i >= skip)
+        if (count <= MOST_LINES || i < before || i >= count - after)
             printf(INDENT "%.*s\n", (int)length, line);
+        else if (i == before)
+            printf(INDENT "… %zu lines%s\n", count - MOST_LINES, after ? " between" : " more");
         line += length + (line[length] == '\n');
     }
-    if (skip > 0 && first)
-        printf(INDENT "… %zu more lines\n", skip);
     free(lines);
 }
 
@@ -136,8 +135,11 @@ static void print_check(const Terminal *terminal, const CheckResult *check)
     const Finding *finding = &check->finding;
     text_append(line, sizeof line, "%s %s", status_table[check->status].mark, check->check->title);
     if (check->check->kind == CHECK_PICTURE && finding->T_threshold > 0.0)
-        text_append(line, sizeof line, ": T %.2f of %.2f, V %.2f of %.2f", finding->T, finding->T_threshold, finding->V,
-                    finding->V_threshold);
+        text_append(line, sizeof line,
+                    ": brightness off by %.2f (T; right code up to %.2f), noise by %.2f (V; up to %.2f)", finding->T,
+                    finding->T_threshold, finding->V, finding->V_threshold);
+    else if (finding->failed)
+        text_append(line, sizeof line, ": right code never does this");
     else if (finding->tests > 0)
         text_append(line, sizeof line, ": p = %.2g, wrong below %.2g", finding->p, check->threshold);
     print_dim(terminal, "", line);
@@ -158,19 +160,30 @@ static void print_output(const Terminal *terminal, const StepResult *result)
     char compiled[sizeof result->words.output];
     snprintf(compiled, sizeof compiled, "%.*s", (int)result->words.compiled, result->words.output);
     if (*compiled)
-        print_lines(compiled, true);
+        print_lines(compiled, MOST_LINES);
     const char *printed = result->words.output + strlen(compiled);
     if (*printed) {
         if (!nothing_ran(result))
             print_dim(terminal, "", "printed:");
-        print_lines(printed, strstr(printed, "Sanitizer: ") || nothing_ran(result));
+        print_lines(printed, strstr(printed, "Sanitizer: ") || nothing_ran(result) ? MOST_LINES : MOST_LINES / 2);
     }
+}
+
+// Which check the words are of, where there are several.
+static void print_deciding_check(const Terminal *terminal, const StepResult *result)
+{
+    for (int i = 0; i < result->check_count && result->status == STATUS_FAIL; i++)
+        if (result->checks[i].status == STATUS_FAIL) {
+            print_dim(terminal, "check: ", result->checks[i].check->title);
+            return;
+        }
 }
 
 static void print_details(const Terminal *terminal, const StepResult *result)
 {
     char line[1024];
     print_wrapped(terminal, *result->words.message ? result->words.message : "no reason is known");
+    print_deciding_check(terminal, result);
     if (*result->words.where)
         print_dim(terminal, "in ", result->words.where);
     if (*result->looks_like) {
@@ -183,8 +196,9 @@ static void print_details(const Terminal *terminal, const StepResult *result)
     if (result->status == STATUS_SKIP)
         return;
     int length = (int)strcspn(result->step->file, "/");
-    snprintf(line, sizeof line, "make hint STEP=%s · contract: lib/steps/%.*s.h · chapter %s", result->step->id, length,
-             result->step->file, result->step->chapter);
+    snprintf(line, sizeof line, "make hint STEP=%s · contract: lib/steps/%.*s.h · chapter %s%s%s", result->step->id,
+             length, result->step->file, result->step->chapter, *result->tile ? " · its picture: gallery.html#" : "",
+             result->tile);
     print_dim(terminal, "", line);
 }
 
@@ -196,7 +210,7 @@ static void print_step(const Terminal *terminal, const StepResult *result, bool 
     else if (result->status == STATUS_TODO && *result->words.message)
         print_wrapped(terminal, result->words.message);
     else if (verbose && result->status == STATUS_PASS && *result->words.output)
-        print_lines(result->words.output, false);
+        print_lines(result->words.output, MOST_LINES / 2);
     for (int i = 0; verbose && result->status != STATUS_TODO && i < result->check_count; i++)
         print_check(terminal, &result->checks[i]);
 }
@@ -228,6 +242,7 @@ static void print_scatter(const Terminal *terminal, const StageResult *stages, i
         snprintf(line, sizeof line, "stage %d, scatter: %s", stage->stage,
                  *stage->message ? stage->message : "no reason is known");
         print_wrapped(terminal, line);
+        print_dim(terminal, "", "(The scatter is where a scene's photons land by all of these steps together.)");
     }
     if (verbose && stage->tests > 0) {
         snprintf(line, sizeof line, "%d comparisons: p = %.2g, wrong below %.2g", stage->tests, stage->p,

@@ -1,5 +1,5 @@
 # The grader graded; included by tests/tests.mk.
-.PHONY: check-grader check-grader-quick grader-table mistakes-table
+.PHONY: check-grader check-grader-quick check-fresh grader-table mistakes-table
 
 ##check first check-grader-quick  is every known mistake caught, and named?
 check-grader-quick: judge
@@ -10,6 +10,10 @@ check-grader: judge
 	@for part in quick matrix false-verdicts; do bash tests/check_grader.sh $$part || exit; done
 	@mkdir -p $(BUILD)/grader
 	@bash tests/attacks/everywhere.sh $(ATTACKS) >$(BUILD)/grader/attacks.txt; tail -1 $(BUILD)/grader/attacks.txt
+
+##check long check-fresh  mistakes that the diagnosis was not made from: how many does it name? (five minutes)
+check-fresh: judge
+	@bash tests/judge/fresh_mistakes.sh
 
 ##maintainer grader-table  what check-grader found, into tests/README.md
 grader-table:

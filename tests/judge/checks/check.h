@@ -74,6 +74,11 @@ typedef struct {
     long failing_case; // within the check; −1: none in particular
     Feature features[MOST_FEATURES];
     int feature_count;
+    // Of what was found over what was expected; and whether a 0 was expected, and not found.
+    double lowest_ratio, highest_ratio;
+    long ratios;
+    bool not_zero;
+    char suspected[40], suspicion[300]; // what the check makes of it where no known mistake fits: a name, and its words
     // For the report: a histogram over the analytic density.
     char histogram_title[80];
     double low, high, observed[MOST_BINS], expected[MOST_BINS];
@@ -88,6 +93,12 @@ void finding_fail(Finding *finding, long failing_case, const char *format, ...) 
 // The message of the smallest p-value stays.
 void finding_p(Finding *finding, double p, long failing_case, const char *format, ...) PRINTF_LIKE(4, 5);
 void finding_feature(Finding *finding, double value, double error);
+// A number as it was found and as it should be. Where all are the same factor off, the diagnosis says so.
+void finding_ratio(Finding *finding, double found, double expected);
+// The same for `count` of them.
+void finding_ratios(Finding *finding, const float *found, const double *expected, int count);
+// "looks like" words of the check's own, for what its numbers alone prove; the first one's stay.
+void finding_suspect(Finding *finding, const char *name, const char *format, ...) PRINTF_LIKE(3, 4);
 void finding_histogram(Finding *finding, const char *title, double low, double high, const double *observed,
                        const double *expected, int bins);
 

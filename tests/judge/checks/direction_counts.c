@@ -3,6 +3,7 @@
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_gamma.h>
+#include <string.h>
 
 #define FINE 16 // points a side of a cell, by which its share is summed up
 
@@ -39,6 +40,8 @@ void directions_add(DirectionCount *count, const float *direction)
     sums_add(&count->along, along);
     sums_add(&count->across, across);
     sums_add(&count->up, up);
+    sums_add(&count->repeated, memcmp(count->before, direction, sizeof count->before) == 0);
+    memcpy(count->before, direction, sizeof count->before);
 }
 
 // One ring of points: cosine and solid angle per azimuth point.
@@ -128,6 +131,7 @@ void directions_features(const DirectionCount *count, const DirectionExpectation
     mean_feature(&count->along, expected->along, finding);
     mean_feature(&count->across, expected->across, finding);
     mean_feature(&count->up, expected->up, finding);
+    finding_feature(finding, sums_mean(&count->repeated), 0.1);
 }
 
 void directions_histogram(const DirectionCount *count, const DirectionExpectation *expected, const char *title,

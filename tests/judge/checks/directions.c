@@ -90,6 +90,7 @@ bool direction_is_above(const float *d, Vec3d normal, const char *inputs, long n
 bool vector_is(const float *found, Vec3d expected, double tolerance, const char *inputs, long number, Finding *finding)
 {
     double off = vec3d_length(vec3d_along(vec3d_of(found), expected, -1.0));
+    finding_ratios(finding, found, (const double[]){expected.x, expected.y, expected.z}, 3);
     if (off <= tolerance)
         return true;
     finding_fail(finding, number, "for %s: expected %s, found %s", inputs, text_of(expected), text_of_floats(found));

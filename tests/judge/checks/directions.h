@@ -102,6 +102,8 @@ typedef struct {
     Vec3d tangent, bitangent;
     double observed[CELLS], cosines[COSINES];
     Sums along, across, up; // components along axis, tangent, bitangent
+    float before[3];        // the direction before
+    Sums repeated;          // is one the same as that before it?
 } DirectionCount;
 
 void directions_begin(DirectionCount *count, const DirectionDensity *density);
@@ -117,7 +119,7 @@ void directions_expect(const DirectionCount *count, DirectionExpectation *expect
 // expect nothing.
 double directions_p(const DirectionCount *count, const DirectionExpectation *expected);
 
-// Three features: means along axis, tangent and bitangent, less the expected.
+// Four features: means along axis, tangent and bitangent, less the expected; the share that are the same as the one before.
 void directions_features(const DirectionCount *count, const DirectionExpectation *expected, Finding *finding);
 
 void directions_histogram(const DirectionCount *count, const DirectionExpectation *expected, const char *title,

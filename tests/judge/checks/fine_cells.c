@@ -55,6 +55,27 @@ static void eighths_features(const FineCount *count, double off[EIGHTHS], Findin
         finding_feature(finding, off[i], sqrt((EIGHTHS - 1) / count->count));
 }
 
+// sinf(360·u), of an angle in degrees: u goes round 57.3 times, one stretch 58 times and the rest 57. Do the counts look
+// like that, wherever the stretch begins?
+static bool goes_round_in_degrees(const FineCount *count)
+{
+    const double turns = 180.0 / pi, most = ceil(turns) / turns, least = floor(turns) / turns;
+    const int stretch = (int)((turns - floor(turns)) * DEGREES + 0.5);
+    double wanted[DEGREES], sum = 0.0, fullest = 0.0;
+    int begin = 0;
+    for (int i = 0; i < 2 * DEGREES; i++) {
+        sum += count->degrees[i % DEGREES] - (i < stretch ? 0.0 : count->degrees[(i - stretch) % DEGREES]);
+        if (i >= DEGREES && sum > fullest) {
+            fullest = sum;
+            begin = i - stretch + 1;
+        }
+    }
+    for (int i = 0; i < DEGREES; i++)
+        wanted[(begin + i) % DEGREES] = (i < stretch ? most : least) * count->count / DEGREES;
+    return fabs(fullest * DEGREES / (stretch * count->count) - most) < 0.006 &&
+           chi_square_p(count->degrees, wanted, DEGREES) > 1e-3;
+}
+
 static void judge_azimuths(const FineCount *count, const char *axis, const char *inputs, Finding *finding)
 {
     double off[EIGHTHS], least = count->count, most = 0.0;
@@ -65,6 +86,9 @@ static void judge_azimuths(const FineCount *count, const char *axis, const char 
         most = fmax(most, count->degrees[i]);
     }
     eighths_features(count, off, finding);
+    if (goes_round_in_degrees(count) && even_p(count->eighths, EIGHTHS, count->count) < 1e-6)
+        finding_suspect(finding, "degrees",
+                        "the angle φ is in degrees, 360·u, where sine and cosine take radians: 2π·u");
     double share = count->count / DEGREES;
     finding_p(finding, even_p(count->degrees, DEGREES, count->count), 0,
               "expected every angle φ about %s to be as likely as any other, over one whole turn; for %s, of 360 steps "

@@ -113,6 +113,35 @@ void finding_feature(Finding *finding, double value, double error)
         finding->features[finding->feature_count++] = (Feature){value, error};
 }
 
+void finding_ratio(Finding *finding, double found, double expected)
+{
+    if (expected == 0.0) {
+        finding->not_zero = finding->not_zero || found != 0.0;
+        return;
+    }
+    double ratio = found / expected; // NaN stays, and is no factor
+    bool first = finding->ratios++ == 0;
+    finding->lowest_ratio = first || !(ratio > finding->lowest_ratio) ? ratio : finding->lowest_ratio;
+    finding->highest_ratio = first || !(ratio < finding->highest_ratio) ? ratio : finding->highest_ratio;
+}
+
+void finding_ratios(Finding *finding, const float *found, const double *expected, int count)
+{
+    for (int i = 0; i < count; i++)
+        finding_ratio(finding, (double)found[i], expected[i]);
+}
+
+void finding_suspect(Finding *finding, const char *name, const char *format, ...)
+{
+    if (finding->suspected[0])
+        return;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(finding->suspicion, sizeof finding->suspicion, format, arguments);
+    va_end(arguments);
+    snprintf(finding->suspected, sizeof finding->suspected, "%s", name);
+}
+
 void finding_histogram(Finding *finding, const char *title, double low, double high, const double *observed,
                        const double *expected, int bins)
 {

@@ -152,12 +152,26 @@ static void describe_overflow(const SourcePlace *places, int count, char *messag
     crash_describe_stack(count > 0 ? places[0].function : NULL, caller, message, size);
 }
 
+// The step that these words begin with, by its symbol. NULL: none.
+static const char *step_named(const char *words)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (strcspn(words, "\n (") == strlen(step_table[i].symbol) &&
+            strncmp(words, step_table[i].symbol, strlen(step_table[i].symbol)) == 0)
+            return step_table[i].symbol;
+    return NULL;
+}
+
 // It ended by itself, but too early.
 static void describe_exit(const SandboxResult *ran, char *message, size_t size)
 {
     const char *symbol = find_last(ran->text, "undefined symbol: "), *sanitizer = find_last(ran->text, "Sanitizer: ");
     const char *own = find_last(ran->text, ": case "); // as the probe says that it could not go on
-    if (symbol && ran->exit_code != 0)
+    const char *step = symbol ? step_named(symbol + 18) : NULL;
+    if (step && ran->exit_code != 0)
+        snprintf(message, size, "it calls `%s` by its name; steps are called by their table: write steps.%s(…)", step,
+                 step);
+    else if (symbol && ran->exit_code != 0)
         snprintf(message, size, "it calls `%.*s`, and there is no such function", (int)strcspn(symbol + 18, "\n ("),
                  symbol + 18);
     else if (sanitizer && ran->exit_code != 0)
@@ -219,9 +233,7 @@ void crash_describe(const GradeOptions *options, const SandboxResult *ran, const
         object = one_of_several;
     }
     int count = find_places(options, &words, object, places);
-    if (ran->flooded)
-        words_say(told, STATUS_ERROR, "it printed more than %u MB", SANDBOX_MOST_PRINTED >> 20);
-    else if (ran->exit_code >= 0)
+    if (ran->exit_code >= 0)
         describe_exit(ran, told->message, sizeof told->message);
     else
         describe_signal(options, ran, &words, places, count, told->message, sizeof told->message);

@@ -1,5 +1,7 @@
 // Names the mistake that a failing step looks like, or none: a wrong name costs a student more than silence.
 #include "judge/grade/diagnosis.h"
+#include "base/file.h"
+#include "judge/report/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -137,6 +139,63 @@ static void rank(Ranking *ranking, Signature *known, double distance)
     ranking->distance = distance;
 }
 
+#define FEWEST_RATIOS 6
+#define SAME_RATIO    2e-3
+
+// All that a failing check compared is the same factor off: that is a fact, whatever it comes from.
+static bool find_factor(const Finding *finding, StepResult *result)
+{
+    static const struct {
+        double factor;
+        const char *words;
+    } known[] = {
+        {3.14159265, "π times"},   {0.318309886, "1/π of"},     {6.2831853, "2π times"}, {0.159154943, "1/(2π) of"},
+        {12.5663706, "4π times"},  {0.0795774715, "1/(4π) of"}, {9.8696044, "π² times"}, {0.101321184, "1/π² of"},
+        {1.57079633, "π/2 times"}, {0.636619772, "2/π of"},     {2.0, "twice"},          {0.5, "half of"},
+        {3.0, "three times"},      {1.0 / 3.0, "a third of"},   {4.0, "four times"},     {0.25, "a quarter of"},
+        {-1.0, "the opposite of"}};
+    double low = finding->lowest_ratio, high = finding->highest_ratio, mean = 0.5 * (low + high);
+    if (finding->ratios < FEWEST_RATIOS || finding->not_zero || !(high - low <= SAME_RATIO * fabs(mean)) ||
+        !(fabs(mean) > 1e-30) || fabs(mean - 1.0) < 2.0 * SAME_RATIO)
+        return false;
+    char times[40];
+    snprintf(times, sizeof times, "%.4g times", mean);
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (fabs(mean / known[i].factor - 1.0) < SAME_RATIO)
+            snprintf(times, sizeof times, "%s", known[i].words);
+    snprintf(result->mistake, sizeof result->mistake, "factor");
+    snprintf(result->looks_like, sizeof result->looks_like,
+             "all results are %s what they should be, whatever goes in: a factor that is missing, or one too many",
+             times);
+    return true;
+}
+
+// What the numbers of the failing checks prove by themselves.
+static void suspect(StepResult *result)
+{
+    for (int i = 0; i < result->check_count && !*result->mistake; i++) {
+        const Finding *finding = &result->checks[i].finding;
+        if (result->checks[i].status != STATUS_FAIL || find_factor(finding, result))
+            continue;
+        snprintf(result->mistake, sizeof result->mistake, "%s", finding->suspected);
+        snprintf(result->looks_like, sizeof result->looks_like, "%s", finding->suspicion);
+    }
+}
+
+static void find_tile(const GradeOptions *options, StepResult *result)
+{
+    char path[4096], anchor[100], wanted[110];
+    size_t size;
+    Error none = {""};
+    snprintf(path, sizeof path, "%s/course_notes/gallery.md", options->root);
+    char *gallery = file_read(path, 4u << 20, &size, &none);
+    text_of_tile(result->step->id, result->mistake, anchor, sizeof anchor);
+    snprintf(wanted, sizeof wanted, "#%s}", anchor);
+    if (gallery && strstr(gallery, wanted))
+        snprintf(result->tile, sizeof result->tile, "%s", anchor);
+    free(gallery);
+}
+
 void diagnose(const GradeOptions *options, StepResult *result)
 {
     char path[4096];
@@ -159,4 +218,8 @@ void diagnose(const GradeOptions *options, StepResult *result)
     }
     signature_free(&ranking.best);
     signature_free(&found);
+    if (!*result->mistake)
+        suspect(result);
+    if (*result->mistake)
+        find_tile(options, result);
 }

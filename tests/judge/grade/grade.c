@@ -1,4 +1,5 @@
 #include "judge/grade/grade.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -36,12 +37,18 @@ static void cases_free(Cases *cases)
     free(cases->lines);
 }
 
+// Does this check run now?
+static bool runs(const GradeOptions *options, const Check *check, bool scene)
+{
+    return check->scene == scene && !(options->no_pictures && check->kind == CHECK_PICTURE);
+}
+
 static void plan_checks(const GradeOptions *options, const StepChecks *checks, bool scene, int round, Cases *cases)
 {
     *cases = (Cases){NULL, 0, {0}, {0}};
     for (int i = 0; i < *checks->count; i++) {
         const Check *check = &checks->checks[i];
-        if (check->scene != scene)
+        if (!runs(options, check, scene))
             continue;
         Plan plan = {.seed = seed_of(options, checks->id, check, round), .step = checks->id};
         check->plan(&plan);
@@ -103,7 +110,7 @@ static Status run_checks(const GradeOptions *options, const StepChecks *checks, 
     if (cases.count > 0)
         status = run_probe(options, result->step, scene, cases.lines, cases.count, numbers, &storage, &crashed, result);
     for (int i = 0; i < *checks->count; i++) {
-        if (checks->checks[i].scene != scene)
+        if (!runs(options, &checks->checks[i], scene))
             continue;
         CheckResult *check = &result->checks[i];
         bool complete = status == STATUS_PASS || (long)(cases.first[i] + cases.of[i]) <= crashed;
@@ -198,6 +205,26 @@ static void write_failing(const GradeOptions *options, const StepResult *result)
     fclose(stream);
 }
 
+// What a crash or an endless loop of this step comes from more often than not.
+static void add_advice(StepResult *result)
+{
+    static const char path_ends[] = "Where photon_fly answers false, the path ends";
+    static const struct {
+        const char *step, *said, *advice;
+    } known[] = {
+        {"1.5", "did not end", path_ends},
+        {"3.4", "did not end", path_ends},
+        {"6.4", "did not end", path_ends},
+        {"3.4", "stack", path_ends},
+        {"3.4", "segmentation fault", "Of children only as many are there as split_colour answers"},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strcmp(result->step->id, known[i].step) == 0 && strstr(result->words.message, known[i].said)) {
+            text_append(result->words.message, sizeof result->words.message, " (%s.)", known[i].advice);
+            return;
+        }
+}
+
 void grade_step(const GradeOptions *options, const StepInfo *step, StepResult *result)
 {
     double start = clock_seconds();
@@ -214,16 +241,23 @@ void grade_step(const GradeOptions *options, const StepInfo *step, StepResult *r
         result->status = run_checks(options, checks, false, 0, result);
     if (result->status == STATUS_PASS)
         result->status = run_checks(options, checks, true, 0, result);
-    if (result->status == STATUS_ERROR && fails_for_certain(result)) {
-        result->status = STATUS_PASS; // a wrong value tells more than the crash that it led to
-        result->words.where[0] = '\0';
+    char crash[sizeof result->words.message] = "";
+    if (result->status == STATUS_ERROR) {
+        add_advice(result);
+        snprintf(crash, sizeof crash, "%s", result->words.message);
     }
+    if (*crash && fails_for_certain(result))
+        result->status = STATUS_PASS; // a wrong value comes before the crash that it led to
     if (result->status == STATUS_PASS && !options->first_round_only && needs_confirmation(result))
         result->status = confirm(options, checks, result);
     if (result->status == STATUS_PASS)
         take_first_failure(result);
+    if (result->status == STATUS_FAIL && *crash)
+        text_append(result->words.message, sizeof result->words.message, ". Later on %s", crash);
     if (result->status == STATUS_FAIL)
         diagnose(options, result);
+    if (result->status == STATUS_FAIL || result->status == STATUS_ERROR)
+        show_printed(options, result);
     write_failing(options, result);
     result->seconds = clock_seconds() - start;
 }

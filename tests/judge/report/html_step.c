@@ -1,7 +1,9 @@
 // One step on the page: open when there is something to do about it, folded when it passes.
 #include "report.h"
+#include "base/file.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void write_paragraph(const char *class, const char *lead, const char *text, FILE *stream)
@@ -126,6 +128,26 @@ void html_scatter(const Report *report, const ReportScatter *scatter, FILE *stre
     fputs("</div>\n</details></article>\n", stream);
 }
 
+// The picture of the mistake in the notes' gallery, where it has one.
+static void write_tile(const Report *report, const ReportStep *step, FILE *stream)
+{
+    char path[4200], anchor[100], wanted[120];
+    size_t size;
+    Error none = {""};
+    if (!report->notes || !*step->mistake)
+        return;
+    snprintf(path, sizeof path, "%s/%s/gallery.html", report->directory, report->notes);
+    text_of_tile(step->id, step->mistake, anchor, sizeof anchor);
+    snprintf(wanted, sizeof wanted, "id=\"%s\"", anchor);
+    char *gallery = file_read(path, 64u << 20, &size, &none);
+    if (gallery && strstr(gallery, wanted)) {
+        fputs("<p class=\"like\"><a href=\"", stream);
+        text_markup(stream, report->notes);
+        fprintf(stream, "/gallery.html#%s\">a picture that this mistake makes</a></p>\n", anchor);
+    }
+    free(gallery);
+}
+
 void html_step(const Report *report, const ReportStep *step, FILE *stream)
 {
     bool open = status_is_wrong(step->status);
@@ -138,6 +160,7 @@ void html_step(const Report *report, const ReportStep *step, FILE *stream)
     else if (step->status != STATUS_PASS)
         write_paragraph("message", "", *step->message ? step->message : status_table[step->status].words, stream);
     write_paragraph("like", "<b>Looks like:</b> ", step->looks_like, stream);
+    write_tile(report, step, stream);
     write_where_to_go(report, step, stream);
     // When nothing could be checked, the compiler's words say why.
     if (any_checked(step)) {

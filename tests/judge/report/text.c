@@ -141,3 +141,10 @@ const char *text_points(double points, char *words, size_t size)
         *end = '\0';
     return words;
 }
+
+void text_of_tile(const char *step, const char *mistake, char *anchor, size_t size)
+{
+    snprintf(anchor, size, "m-%s-%s", step, mistake);
+    for (char *c = anchor; *c; c++)
+        *c = *c == '.' || *c == '_' ? '-' : *c;
+}

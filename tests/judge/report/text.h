@@ -20,4 +20,7 @@ void text_base64(FILE *stream, const unsigned char *bytes, size_t size);
 // Points without needless zeros: "6", "2.5". Returns `words`.
 const char *text_points(double points, char *words, size_t size);
 
+// The anchor of a mistake's tile in the notes' gallery.
+void text_of_tile(const char *step, const char *mistake, char *anchor, size_t size);
+
 #endif

@@ -82,7 +82,10 @@ void words_of_check(const ReportCheck *check, char *words, size_t size)
 {
     words[0] = '\0';
     bool judged = check->status == STATUS_PASS || check->status == STATUS_FAIL;
-    if (judged && check->picture.yours)
+    bool certain = check->status == STATUS_FAIL && !(check->p < check->threshold);
+    if (certain && !check->picture.yours)
+        snprintf(words, size, "Right code never does this, whatever its random numbers: that decided.");
+    else if (judged && check->picture.yours)
         words_of_picture(&check->picture, words, size);
     else if (judged && !isnan(check->p) && !isnan(check->threshold))
         words_of_chance(check->p, check->threshold, words, size);

@@ -26,6 +26,21 @@ typedef struct {
     char play[40];  // "2.4,3.4"
 } Cast;
 
+// Their names, and what must not be in sight of them.
+static void list_cast(Cast *cast)
+{
+    cast->list[0] = '\0';
+    memset(cast->hide, 0, sizeof cast->hide);
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        if (!cast->student[i])
+            continue;
+        text_append(cast->list, sizeof cast->list, "%s%s", *cast->list ? "," : "", step_table[i].id);
+        cast->hide[i] = true;
+        for (size_t j = 0; j < STEP_COUNT; j++) // nor may it see what does the same work
+            cast->hide[j] = cast->hide[j] || steps_are_paired(&step_table[i], &step_table[j]);
+    }
+}
+
 // The stage's steps that are to be had and play in a photon pass; of two that do the same work, one.
 static void choose_cast(int stage, const StepResult *graded, int count, Cast *cast)
 {
@@ -35,15 +50,9 @@ static void choose_cast(int stage, const StepResult *graded, int count, Cast *ca
             cast->student[graded[i].step - step_table] = graded[i].step->pass == PHOTON_PASS;
     StepChoice choice = step_choice_for(cast->student);
     step_choice_print(choice, cast->play, sizeof cast->play);
-    for (size_t i = 0; i < STEP_COUNT; i++) {
+    for (size_t i = 0; i < STEP_COUNT; i++)
         cast->student[i] = cast->student[i] && step_is_played(&step_table[i], choice);
-        if (!cast->student[i])
-            continue;
-        text_append(cast->list, sizeof cast->list, "%s%s", *cast->list ? "," : "", step_table[i].id);
-        cast->hide[i] = true;
-        for (size_t j = 0; j < STEP_COUNT; j++) // nor may it see what does the same work
-            cast->hide[j] = cast->hide[j] || steps_are_paired(&step_table[i], &step_table[j]);
-    }
+    list_cast(cast);
 }
 
 typedef struct {
@@ -158,6 +167,35 @@ static void play_round(const Stage *s, int round, StageResult *result)
     snprintf(result->message, sizeof result->message, "%s", failed ? finding.message : "");
 }
 
+// All steps are right alone: the reference takes the place of one after the other, and where that puts the photons right, the
+// step is named.
+static void suspect(const Stage *s, const StepResult *graded, int count, StageResult *result)
+{
+    char names[100] = "";
+    for (int i = 0; i < count; i++)
+        if (graded[i].step->stage == result->stage && graded[i].status != STATUS_PASS &&
+            graded[i].status != STATUS_TODO)
+            return; // that one is named already
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        if (!s->cast.student[i])
+            continue;
+        Stage without = *s;
+        StageResult trial = {.stage = result->stage, .p = 1.0};
+        without.cast.student[i] = false;
+        list_cast(&without.cast);
+        play_round(&without, 0, &trial);
+        if (trial.status == STATUS_PASS)
+            text_append(names, sizeof names, "%s%s", *names ? " or " : "", step_table[i].id);
+        stage_result_free(&trial);
+    }
+    text_append(result->message, sizeof result->message, ". Each of these steps passes alone");
+    if (*names)
+        text_append(result->message, sizeof result->message,
+                    "; look at %s: with the reference in its place the photons are right", names);
+    else
+        text_append(result->message, sizeof result->message, ", and none is to blame alone: two may not fit together");
+}
+
 void grade_scatter(const GradeOptions *options, int stage, const StepResult *graded, int count, StageResult *result)
 {
     double start = clock_seconds();
@@ -182,6 +220,8 @@ void grade_scatter(const GradeOptions *options, int stage, const StepResult *gra
         }
         stage_result_free(&again);
     }
+    if (result->status == STATUS_FAIL && !options->first_round_only)
+        suspect(&s, graded, count, result);
     result->seconds = clock_seconds() - start;
 }
 

@@ -127,6 +127,7 @@ static Status check_variables(const ObjectFile *object, const StepInfo *step, co
 {
     char best[128] = "";
     int best_line = 0;
+    bool inside = false; // a function
     for (size_t i = 0; i < object->count; i++) {
         char name[128];
         if (object->symbols[i].kind != SYMBOL_VARIABLE)
@@ -137,6 +138,7 @@ static Status check_variables(const ObjectFile *object, const StepInfo *step, co
         if (!best[0] || earlier || (line == best_line && strcmp(name, best) < 0)) {
             snprintf(best, sizeof best, "%s", name);
             best_line = line;
+            inside = strcmp(name, object->symbols[i].name) != 0;
         }
     }
     if (!best[0] && !object->keeps_data)
@@ -145,8 +147,9 @@ static Status check_variables(const ObjectFile *object, const StepInfo *step, co
     return words_say(
         words, STATUS_ERROR,
         "it has a variable that lives between calls%s%s%s; steps run on several threads, which would share it. If it "
-        "never changes, write `const` before it; otherwise move it into the function",
-        best[0] ? ", `" : "", best, best[0] ? "`" : "");
+        "never changes, write `const` before it; otherwise %s",
+        best[0] ? ", `" : "", best, best[0] ? "`" : "",
+        inside ? "take the word `static` away" : "move it into the function");
 }
 
 static Status check_function(const ObjectFile *object, const StepInfo *step, StepWords *words)

@@ -22,6 +22,7 @@ typedef struct {
     double cpu_seconds;        // a step's cases may take; wall clock: three times as long
     double speed;              // this machine's time for a fixed task ÷ the usual; time limits grow with it
     bool compile_only;         // not one check: for measuring the scatters
+    bool no_pictures;          // for measuring features, which pictures have none of in the table
     bool first_round_only;     // no confirmation: for measuring the level
 } GradeOptions;
 

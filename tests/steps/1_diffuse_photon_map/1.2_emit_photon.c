@@ -61,6 +61,7 @@ static void judge_photon(const Results *results, Finding *finding)
         const float *photon = numbers_of(results, (size_t)i, FLOATS * A_FEW, finding);
         for (int s = 0; photon && s < A_FEW; s++, photon += FLOATS) {
             const double expected[3] = {l.power.x, l.power.y, l.power.z};
+            finding_ratios(finding, photon + 6, expected, 3);
             for (int c = 0; c < 3; c++) {
                 sums_add(&ratio[c], (double)photon[6 + c] / expected[c]);
                 if (!(fabs((double)photon[6 + c] / expected[c] - 1.0) < 1e-4))
@@ -112,7 +113,7 @@ static void judge_place(const Results *results, Finding *finding)
     for (int i = 0; i < LAMPS; i++) {
         Lit l = lit(i);
         double observed[SIDE * SIDE] = {0}, expected[SIDE * SIDE];
-        Sums u = {0, 0, 0}, v = {0, 0, 0}, off = {0, 0, 0};
+        Sums u = {0, 0, 0}, v = {0, 0, 0}, off = {0, 0, 0}, uu = {0, 0, 0}, vv = {0, 0, 0}, uv = {0, 0, 0};
         const float *photon = numbers_of(results, (size_t)i, FLOATS * SAMPLES, finding);
         for (long s = 0; photon && s < SAMPLES; s++, photon += FLOATS) {
             if (!all_finite(photon, 3, "a position", l.inputs, i, finding))
@@ -126,6 +127,9 @@ static void judge_place(const Results *results, Finding *finding)
             observed[cell(place.x, SIDE) * SIDE + cell(place.y, SIDE)]++;
             sums_add(&u, place.x);
             sums_add(&v, place.y);
+            sums_add(&uu, (place.x - 0.5) * (place.x - 0.5));
+            sums_add(&vv, (place.y - 0.5) * (place.y - 0.5));
+            sums_add(&uv, (place.x - 0.5) * (place.y - 0.5));
             sums_add(&off, !is_on_light(place));
         }
         for (int b = 0; b < SIDE * SIDE; b++)
@@ -138,6 +142,9 @@ static void judge_place(const Results *results, Finding *finding)
         mean_feature(&u, 0.5, finding);
         mean_feature(&v, 0.5, finding);
         mean_feature(&off, 0.0, finding);
+        mean_feature(&uu, 1.0 / 12.0, finding);
+        mean_feature(&vv, 1.0 / 12.0, finding);
+        mean_feature(&uv, 0.0, finding);
     }
 }
 

@@ -74,6 +74,8 @@ static void judge_power(const Bounce *b, double p, const float *result, long num
 {
     bool survived = result[0] != 0.0f;
     Vec3d expected = survived ? vec3d_along(vec3d(0, 0, 0), reflected(b), 1.0 / p) : b->power;
+    if (survived)
+        finding_ratios(finding, result + 1, (const double[]){expected.x, expected.y, expected.z}, 3);
     if (same_colour(result + 1, expected))
         return;
     finding_fail(finding, number,
@@ -87,11 +89,12 @@ static void judge_survival(const Results *results, Finding *finding)
     for (int i = 0; i < BOUNCES; i++) {
         const Bounce *b = &bounces[i];
         double p = sum(reflected(b)) / sum(b->power);
-        Sums survived = {0, 0, 0}, ratio[3] = {{0, 0, 0}};
+        Sums survived = {0, 0, 0}, ratio[3] = {{0, 0, 0}}, changed = {0, 0, 0};
         const float *result = numbers_of(results, (size_t)i, FLOATS * SAMPLES, finding);
         for (long s = 0; result && s < SAMPLES; s++, result += FLOATS) {
             judge_power(b, p, result, i, finding);
             sums_add(&survived, result[0] != 0.0f);
+            sums_add(&changed, result[0] == 0.0f && !same_colour(result + 1, b->power));
             for (int c = 0; c < 3; c++)
                 if (result[0] != 0.0f && component(b->power, c) > 0.0)
                     sums_add(&ratio[c], (double)result[1 + c] / component(reflected(b), c) * p);
@@ -101,6 +104,7 @@ static void judge_survival(const Results *results, Finding *finding)
                       "expected a share p = ΣΦρ/ΣΦ = %.4f to survive, found %.4f, for %s", p, sums_mean(&survived),
                       inputs_of(b));
         mean_feature(&survived, p, finding);
+        mean_feature(&changed, 0.0, finding);
         for (int c = 0; c < 3; c++)
             if (component(b->power, c) > 0.0)
                 mean_feature(&ratio[c], 1.0, finding);

@@ -199,6 +199,8 @@ static void judge_scenery(int i, const Results *results, Finding *finding)
     Vec3d expected = brute_force(i, results->seed);
     double largest = fmax(expected.x, fmax(expected.y, expected.z));
     bool lit = largest > 0.0;
+    if (found && lit)
+        finding_ratios(finding, found, (const double[]){expected.x, expected.y, expected.z}, 3);
     for (int call = 0; found && call < CALLS; call++)
         if (all_finite(found + 3 * call, 3, "a radiance", what, i, finding) &&
             vec3d_length(vec3d_along(vec3d_of(found + 3 * call), expected, -1.0)) > 2e-3 * largest) {

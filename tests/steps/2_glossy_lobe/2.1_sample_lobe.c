@@ -29,10 +29,12 @@ static void judge_density(const Results *results, Finding *finding)
         DirectionExpectation expected;
         directions_begin(&count, &(DirectionDensity){up, exponents[i] + 1.0, true, lobe, &exponents[i]});
         directions_expect(&count, &expected);
-        Sums below = {0, 0, 0};
+        Sums below = {0, 0, 0}, x = {0, 0, 0}, y = {0, 0, 0};
         const float *d = numbers_of(results, (size_t)i, 3 * SAMPLES, finding);
         for (long s = 0; d && s < SAMPLES; s++, d += 3) {
             sums_add(&below, d[2] < -1e-4f);
+            sums_add(&x, (double)d[0]);
+            sums_add(&y, (double)d[1]);
             if (direction_is_sound(d, inputs, i, finding))
                 directions_add(&count, d);
         }
@@ -40,8 +42,7 @@ static void judge_density(const Results *results, Finding *finding)
             finding, directions_p(&count, &expected), i,
             "expected directions of density (n+1)/(2π)·cosⁿα about +z; for %s the mean of cosα should be %.4f, found "
             "%.4f, and the means of x and y 0 and 0, found %.4f and %.4f",
-            inputs, (exponents[i] + 1.0) / (exponents[i] + 2.0), sums_mean(&count.along), sums_mean(&count.across),
-            sums_mean(&count.up));
+            inputs, (exponents[i] + 1.0) / (exponents[i] + 2.0), sums_mean(&count.along), sums_mean(&x), sums_mean(&y));
         directions_features(&count, &expected, finding);
         mean_feature(&below, 0.0, finding);
         if (i == 3)

@@ -64,6 +64,8 @@ static void judge_weight(const Results *results, Finding *finding)
             if (result[0] == 0.0f)
                 continue;
             double expected = factor * vec3d_dot(vec3d_of(result + 1), c.normal), weight = (double)result[4];
+            if (expected > 0.1)
+                finding_ratio(finding, weight, expected);
             sums_add(&off, weight - expected);
             sums_add(&ratio, weight / fmax(expected, 1e-2));
             if (!(fabs(weight - expected) < 2e-4))

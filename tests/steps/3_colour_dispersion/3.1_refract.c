@@ -131,8 +131,12 @@ static void judge_snell(const Results *results, Finding *finding)
             continue;
         bool both = cos2 > 0.0 && f.through == 1.0;
         finding_feature(finding, f.through - (cos2 < 0.0 ? 0.0 : 1.0), 0.0);
-        finding_feature(finding, both ? f.along - along : (double)NAN, 0.0);
-        finding_feature(finding, both ? f.normal - normal : (double)NAN, 0.0);
+        // The way it points, whether or not it is brought to length 1; the length where nothing else is wrong.
+        double off_along = f.along / f.length - along, off_normal = f.normal / f.length - normal;
+        bool right_way = fabs(off_along) < 1e-5 && fabs(off_normal) < 1e-5;
+        finding_feature(finding, both ? off_along : (double)NAN, 0.0);
+        finding_feature(finding, both ? off_normal : (double)NAN, 0.0);
+        finding_feature(finding, both && right_way ? f.length - 1.0 : 0.0, 0.0);
     }
 }
 

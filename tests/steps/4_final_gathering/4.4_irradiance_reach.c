@@ -66,6 +66,7 @@ static double expected_reach(int sight, uint64_t seed)
 
 static void judge_reach(const Results *results, Finding *finding)
 {
+    bool all_right = true; // before the open, of which wrong formulas make anything
     for (int i = 0; i < SIGHTS; i++) {
         double expected = expected_reach(i, results->seed);
         const float *found = numbers_of(results, (size_t)i, 1, finding);
@@ -73,7 +74,12 @@ static void judge_reach(const Results *results, Finding *finding)
             !(fabs((double)*found - expected) <= 1e-3 * expected))
             finding_fail(finding, i, "for distances of %s: expected R = %.4g m, found %.4g m, %.4g times as much",
                          sights[i].what, expected, (double)*found, (double)*found / expected);
-        finding_feature(finding, found ? log(fabs((double)*found) / expected) : (double)NAN, i < 8 ? 0.0 : 0.05);
+        if (expected > sights[i].shortest && expected < sights[i].longest)
+            finding_ratio(finding, found ? (double)*found : (double)NAN, expected);
+        double off = found ? log(fabs((double)*found) / expected) : (double)NAN;
+        finding_feature(finding, sights[i].near_share == 0.0 && isinf(sights[i].near) && !all_right ? 0.0 : off,
+                        i < 8 ? 0.0 : 0.05);
+        all_right = all_right && fabs(off) < 1e-3;
     }
 }
 

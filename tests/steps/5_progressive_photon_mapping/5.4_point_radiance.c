@@ -52,7 +52,10 @@ static void judge_radiance(const Results *results, Finding *finding)
             vector_is(found + 3 * call, vec3d(p.flux[0] * scale, p.flux[1] * scale, p.flux[2] * scale), 4e-6 * largest,
                       inputs, i, finding);
         for (int c = 0; i < KNOWN && c < 3; c++)
-            finding_feature(finding, found ? ((double)found[c] - p.flux[c] * scale) / fmax(largest, 1e-9) : (double)NAN,
+            finding_feature(finding,
+                            found && p.flux[c] > 0.0 ? log(fabs((double)found[c]) / (p.flux[c] * scale))
+                            : found                  ? (double)found[c]
+                                                     : (double)NAN,
                             0.0);
     }
 }

@@ -56,6 +56,7 @@ static void judge_index(const Results *results, Finding *finding)
         if (found && all_finite(found, 1, "an index", inputs, i, finding) &&
             !(fabs((double)*found - expected) <= 1e-5 * expected))
             finding_fail(finding, i, "for %s: expected the index %.6f, found %.6f", inputs, expected, (double)*found);
+        finding_ratio(finding, found ? (double)*found : (double)NAN, expected);
         if (i % WAVELENGTHS < ALWAYS)
             finding_feature(finding, found ? (double)*found / expected - 1.0 : (double)NAN, 0.0);
     }

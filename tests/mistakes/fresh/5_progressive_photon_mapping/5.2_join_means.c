@@ -1,0 +1,15 @@
+//1 halves                a half each
+//2 not_divided           only weighed
+//3 one_more              one more
+//4 added                 only added
+//5 -                     the larger number of passes takes all
+#include "photonlab.h"
+Colour join_means(Colour a, int m, Colour b, int n)
+{
+    double u = MISTAKE == 1 || MISTAKE == 4 ? 1.0 : (double)m, v = MISTAKE == 1 || MISTAKE == 4 ? 1.0 : (double)n;
+    double w = MISTAKE == 2 || MISTAKE == 4 ? 1.0 : MISTAKE == 3 ? u + v + 1.0 : u + v;
+    if (MISTAKE == 5)
+        return m > n ? a : b;
+    return colour((float)((u * (double)a.r + v * (double)b.r) / w), (float)((u * (double)a.g + v * (double)b.g) / w),
+                  (float)((u * (double)a.b + v * (double)b.b) / w));
+}
