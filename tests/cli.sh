@@ -131,6 +131,11 @@ if ! nm -D "$program" | grep -q __asan && ${CC:-cc} -shared -fPIC "$work/short.c
     good "diff with each of its allocations failing"
     expect 1 "not enough memory for the photons of 200000000 paths" \
         bash -c "ulimit -v 1000000; timeout 20 $program photons scenes/box_diffuse.yaml --photons 200000000 --threads 2 -o $work/many.ply"
+    # What the picture takes later is told before it, by its own name.
+    few="ulimit -v 900000; timeout 60 $program render scenes/box_diffuse.yaml --size 9x7 --quiet --threads 16 -o $work/many.png"
+    expect 1 "not enough memory for 1000000 photons in an estimate" bash -c "$few --photons 1000000000 --k 1000000 --threads 40"
+    expect 1 "not enough memory for the photons of 800000 paths" bash -c "$few --photons 800000 --passes 2 --radius 0.1"
+    expect 1 "pictures of 1000 passes" bash -c "$few --size 4096x2048 --passes 1000 --photons 10 --radius 0.1"
 fi
 
 # Passes: in parts, and gone on with, the same bytes.

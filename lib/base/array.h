@@ -3,6 +3,7 @@
 #define PHOTONLAB_BASE_ARRAY_H
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,6 +23,14 @@ static inline bool array_reserve(void *array, size_t count, size_t *capacity, si
     memcpy(array, &items, sizeof items);
     *capacity = larger;
     return true;
+}
+
+// Is there so much memory? Asked for and given back, which a compiler would leave out: to know it before long work.
+static inline bool array_has_room(double bytes)
+{
+    void *volatile room = bytes < (double)(SIZE_MAX / 2) ? malloc((size_t)bytes + 1) : NULL;
+    free(room);
+    return room != NULL;
 }
 
 #endif

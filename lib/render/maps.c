@@ -47,6 +47,19 @@ static bool build_ends(const Scene *scene, const RenderOptions *options, PhotonP
     return maps->ends != NULL;
 }
 
+// What maps and estimates will take beside the photons' arrays, with what the trees over them need.
+static void reserve(const RenderOptions *options, PhotonPassOptions *pass)
+{
+    double threads = parallel_threads(options->threads);
+    double a_photon = sizeof(StoredPhoton) + 8.0; // in its map
+    bool gathers = options->integrator == INTEGRATOR_GATHER;
+    pass->room = threads * (double)PHOTON_MAP_NEAREST_CAPACITY((size_t)options->settings.k) * sizeof(NearPhoton);
+    pass->room_a_photon = a_photon + (gathers ? 3.0 * (double)sizeof(LocalIrradiance) : 0.0);
+    pass->room_a_caustic = gathers ? 2.0 * CAUSTIC_TIMES * (double)sizeof(StoredPhoton) : 0.0;
+    if (options->pass) // all of them may lie within its radius
+        pass->room_a_photon += threads * 2.0 * (double)sizeof(NearPhoton);
+}
+
 static bool has_caustics(const Scene *scene)
 {
     for (size_t i = 0; i < scene->material_count; i++) {
@@ -63,6 +76,7 @@ static bool add_caustics(const Scene *scene, PhotonPassOptions options, PhotonPa
 {
     PhotonPass more;
     options.photons *= CAUSTIC_TIMES;
+    options.room_a_photon = options.room_a_caustic = 0.0; // it was there for these
     options.keep = KEEP_CAUSTIC;
     if (!has_caustics(scene))
         return true;
@@ -92,6 +106,7 @@ bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, Ren
     };
     PhotonPass pass;
     steps_play(options->play);
+    reserve(options, &pass_options);
     if (!photon_pass_run(scene, &pass_options, &pass, error))
         return false;
     stats->photons_emitted = pass.emitted;

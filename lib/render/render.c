@@ -1,4 +1,5 @@
 #include "render/render.h"
+#include "base/array.h"
 #include "base/parallel.h"
 #include "render/eye.h"
 #include "render/final_gather.h"
@@ -127,6 +128,15 @@ static void eye_pass(Eye *const eyes[], int threads, Image *image)
     }
 }
 
+// Told before anything is traced: what takes memory, and how much depends on no photon.
+static bool has_room(const RenderOptions *options, Error *error)
+{
+    size_t k = options->pass ? 0 : (size_t)options->settings.k;
+    double near = (double)PHOTON_MAP_NEAREST_CAPACITY(k) * (double)sizeof(NearPhoton);
+    return array_has_room(near * parallel_threads(options->threads)) ||
+           error_set(error, "not enough memory for %d photons in an estimate; use a smaller k", options->settings.k);
+}
+
 // One eye a thread for all that follows.
 static bool look(const Scene *scene, const RenderOptions *options, const Maps *maps, Image *image, RenderStats *stats)
 {
@@ -162,7 +172,8 @@ bool render_image(const Scene *scene, const RenderOptions *options, Image *image
     *stats = (RenderStats){0};
     if (!image_create(image, options->settings.width, options->settings.height, error))
         return false;
-    bool ok = options->integrator == INTEGRATOR_PATH || maps_make(scene, options, &maps, stats, error);
+    bool ok = has_room(options, error) &&
+              (options->integrator == INTEGRATOR_PATH || maps_make(scene, options, &maps, stats, error));
     if (ok) {
         double start = clock_seconds();
         ok = look(scene, options, &maps, image, stats) ||

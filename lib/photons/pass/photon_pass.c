@@ -1,5 +1,6 @@
 #include "photons/pass/trace_internal.h"
 #include "math/sample.h"
+#include "base/array.h"
 #include "base/parallel.h"
 #include "steps/steps.h"
 
@@ -215,14 +216,13 @@ static long last_path(const PhotonPassOptions *options)
     return options->last > 0 ? options->last : options->photons;
 }
 
-// Room for all photons, in their chunks and joined, going by those of the first chunks? Asked for and given back,
-// which a compiler would leave out.
-static bool all_will_fit(size_t stored, long done, long chunk_count)
+// Room for all photons, in their chunks and joined, and for what follows, going by those of the first chunks?
+static bool all_will_fit(const PhotonPassOptions *options, size_t stored, size_t caustics, double times)
 {
-    double bytes = 2.0 * (double)stored * (double)chunk_count / (double)done * (double)sizeof(StoredPhoton);
-    void *volatile room = bytes < (double)(SIZE_MAX / 2) ? malloc((size_t)bytes + 1) : NULL;
-    free(room);
-    return room != NULL;
+    double photons = times * (double)stored, joining = 2.0 * photons * (double)sizeof(StoredPhoton);
+    double following =
+        options->room + photons * options->room_a_photon + times * (double)caustics * options->room_a_caustic;
+    return array_has_room(fmax(joining, following));
 }
 
 // False at the first lack of memory: the rest is left out.
@@ -231,7 +231,7 @@ static bool trace_all(const Scene *scene, const PhotonPassOptions *options, cons
 {
     long done = 0;
     long end = last_path(options);
-    size_t stored = 0;
+    size_t stored = 0, caustics = 0;
     bool enough = true;
 #pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
     for (long i = 0; i < chunk_count; i++) {
@@ -248,7 +248,10 @@ static bool trace_all(const Scene *scene, const PhotonPassOptions *options, cons
 #pragma omp critical(photon_pass_progress)
         {
             stored += trace.count;
-            if (trace.out_of_memory || (++done == CHUNKS_TRIED && !all_will_fit(stored, done, chunk_count)))
+            caustics += trace.caustics;
+            bool known = ++done == (CHUNKS_TRIED < chunk_count ? CHUNKS_TRIED : chunk_count);
+            double times = (double)chunk_count / (double)done;
+            if (trace.out_of_memory || (known && !all_will_fit(options, stored, caustics, times)))
 #pragma omp atomic write
                 enough = false;
             progress_report(&options->progress, "photons", (double)done / (double)chunk_count);

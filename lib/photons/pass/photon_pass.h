@@ -31,6 +31,8 @@ typedef struct {
         play; // whose BRDF the ledger expects at glossy surfaces; the loop of 1.5, the recursion of 3.4, or single wavelengths
     bool hero;        // with wavelengths: three for a photon, until it meets dispersing glass (Wilkie et al. 2014)
     long first, last; // only the paths first…last−1 of `photons`, as they are among all of them; last 0: all
+    // Bytes that have to be there for what follows the pass, in all, for each photon that is stored, and for each caustic one.
+    double room, room_a_photon, room_a_caustic;
     const PhotonRecorder *recorder; // NULL: none
     Progress progress;
 } PhotonPassOptions;
@@ -73,7 +75,7 @@ typedef struct {
 } PhotonPass;
 
 // The same bytes whatever the number of threads: a random stream per photon, and chunks merged in their order. False
-// on lack of memory. Free with photon_pass_free; arrays taken over by a map must be zeroed first.
+// on lack of memory, which shows after the first paths. Free with photon_pass_free; arrays taken over by a map must be zeroed first.
 bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, PhotonPass *pass, Error *error);
 void photon_pass_free(PhotonPass *pass);
 

@@ -1,4 +1,5 @@
 #include "render/passes/passes.h"
+#include "base/array.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,8 +17,22 @@ static bool shrink(float *radius, int i, float alpha, Error *error)
            error_set(error, "step 5.1 gives pass %d a radius of %g m", i + 1, (double)*radius);
 }
 
+// Means are kept for as many runs as the number of passes has digits in base two, ten where nobody knows it; and a few more.
+static bool has_room(const RenderOptions *options, const Passes *passes, Error *error)
+{
+    double pictures = 3.0;
+    for (int left = passes->last - passes->first; left > 0 && pictures < 13.0; left /= 2)
+        pictures++;
+    double pixels = (double)options->settings.width * (double)options->settings.height;
+    return array_has_room(pictures * pixels * (double)sizeof(Colour)) ||
+           error_set(error, "not enough memory for the %.0f pictures of %d passes; use a smaller size", pictures,
+                     passes->last - passes->first);
+}
+
 static bool begin(const Scene *scene, const RenderOptions *options, Passes *passes, Error *error)
 {
+    if (!has_room(options, passes, error))
+        return false;
     if (passes->radius <= 0.0f && options->settings.radius > 0.0f)
         passes->radius = options->settings.radius;
     if (passes->radius <= 0.0f && options->integrator != INTEGRATOR_PATH &&
