@@ -14,7 +14,7 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/obj/tests/unit/%.o $(LIBRARY)
 $(PREVIEW_TESTS): $(call object,$(PREVIEW_SOURCES))
 $(BUILD)/obj/tests/unit/%.o: OPTIMISE = -O1
 
-.PHONY: check-saves check-build check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-exercises \
+.PHONY: check-saves check-threads check-shortage check-build check-unit check-sanitized check-compilers check-bytes check-cli check-cli-sanitized check-probe check-exercises \
         check-preview check-judge check-reports check-attacks check-sandbox check-scatter check-pictures check-arm check-same check-rooms check-extend \
         reference reference-progressive agreement spectra calibrate exercises bench bench-test bench-preview fuzz size format
 
@@ -72,6 +72,16 @@ exercises:
 ##check beside check-preview  the window: faults, keys, the same bytes from OSMesa, EGL and GLFW
 check-preview: judge meshes
 	@bash tests/preview/check.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND) $(FEW)
+
+##check long check-threads  all scenes in all ways on 2 to 13 threads: the same bytes; and no race, by ThreadSanitizer (half an hour)
+check-threads: all meshes
+	@bash tests/threads.sh $(PROGRAM) 2 3 4 5 7 8 11 13
+	@$(MAKE) BUILD=$(BUILD)/threads CC=clang OPTIMISE=-O1 HAVE_PREVIEW= EXTRA=-fsanitize=thread all
+	@bash tests/threads.sh $(BUILD)/threads/photonlab 3
+
+##check long check-shortage  each allocation fails in turn: pictures, files, snapshots; EVERY=7 for every seventh (ten minutes)
+check-shortage: all meshes
+	@EVERY=$(EVERY) bash tests/shortage/run.sh $(PROGRAM)
 
 ##check long check-saves  10,000 saves in one window, its helper killed and stopped, a full /tmp; SAVES=100
 check-saves: all meshes

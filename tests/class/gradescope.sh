@@ -10,7 +10,7 @@ command -v zip >/dev/null || { echo "gradescope: zip is missing (on Debian: apt-
 mkdir -p "$PHOTONLAB_OUT" || exit 2
 work=$(mktemp -d "$PHOTONLAB_OUT/.making.XXXXXX") || exit 2
 trap 'rm -rf "$work"' EXIT
-unused='^tests/(alternatives|attacks|unit|bench|fuzz|malformed|extend|scene_page|agreement)/|^tests/mistakes/.*/|^exercises/[^.]|\.png$|\.pfm\.xz$'
+unused='^tests/(alternatives|attacks|unit|bench|fuzz|shortage|malformed|extend|scene_page|agreement)/|^tests/mistakes/.*/|^exercises/[^.]|\.png$|\.pfm\.xz$'
 framework_files | grep -vE "$unused" | copy_files "$work/photonlab" || exit 1
 [ -z "${PHOTONLAB_POINTS:-}" ] || cp "$PHOTONLAB_POINTS" "$work/photonlab/tests/judge/points.txt" || exit 1
 cp "$here/gradescope/setup.sh" "$here/gradescope/run_autograder" "$work/" || exit 1
