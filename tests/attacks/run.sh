@@ -45,7 +45,8 @@ landlock)
     ;;
 esac
 mkdir "$work/neighbour" && cp "$root/solutions/1_diffuse_photon_map/1.1_reflect.c" "$work/neighbour/"
-export PHOTONLAB_HIDDEN=$work/neighbour
+sed -i '1i // the neighbour'"'"'s own words' "$work/neighbour/1.1_reflect.c"
+export PHOTONLAB_HIDDEN=$work/neighbour PHOTONLAB_SALT=the-salt-itself
 root=$(cd "$root" && pwd)
 build=$(cd "$build" && pwd)
 
@@ -125,6 +126,8 @@ attack() {
         bad "$name: expected $wanted … $words, found $status: $message"
     elif ! holds "${points:-1} == 0"; then
         bad "$name: $points points"
+    elif grep -qE "neighbour's own words|the-salt-itself" "$work/report/report.json"; then
+        bad "$name: its report shows what it must not know"
     elif [ -n "$left" ]; then
         bad "$name: left behind: $left"
     else
