@@ -9,7 +9,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/common.sh"
 saves=${SAVES:-10000}
 step=1_diffuse_photon_map/1.3_scatter_diffuse.c
-wait_before=12
+wait_before=60 # s: no measure of speed
 
 # small_room_end: the room without room goes, if there is one.
 small_room_end() { ! mountpoint -q "$work/room" 2>/dev/null || umount "$work/room"; }
@@ -89,7 +89,11 @@ no_room() {
 mkdir "$work/room" && mount -t tmpfs -o size=64k none "$work/room" 2>/dev/null &&
     { head -c 1M /dev/zero >"$work/room/full" 2>/dev/null || :; }
 cp scenes/box_diffuse.yaml "$work/"
-display_start && TMPDIR=$work/room window_start "$work/box_diffuse.yaml" --photons 2000 --size 320x240 || bad "the window does not open: $(cat "$log")"
+if ! { display_start && TMPDIR=$work/room window_start "$work/box_diffuse.yaml" --photons 2000 --size 320x240; }; then
+    bad "the window does not open: $(cat "$work"/*.log)"
+    finish
+    exit 1
+fi
 many_saves
 replaced KILL
 replaced STOP
