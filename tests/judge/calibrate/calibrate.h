@@ -12,7 +12,7 @@ typedef struct {
 
 enum { PURPOSE_SPREAD, PURPOSE_THRESHOLDS, PURPOSE_MEASURE };
 
-// No purpose shares a picture with another, nor a set with another.
+// Each purpose and each set has pictures of its own.
 // Plays a->object, or the solution.
 GroupRun group_run(const Arguments *a, const PictureSet *set, uint64_t purpose, long groups);
 

@@ -137,7 +137,7 @@ static int parse(int count, char **arguments, Arguments *a)
     return 0;
 }
 
-// "2.1,2.2": their places in the table. Nothing at all: none of them.
+// Marks the steps of a list like "2.1,2.2", which may be empty.
 static bool read_list(const char *list, bool graded[STEP_COUNT])
 {
     for (const char *word = list; *word; word += strcspn(word, ",") + (word[strcspn(word, ",")] == ',')) {
@@ -157,21 +157,21 @@ static int fail(const Error *error)
     return 1;
 }
 
-// Stands in every slot that a graded step has no business to call.
+// In the slot of every step that the graded one must not call.
 static void step_is_absent(void)
 {
     fprintf(stderr, "photonlab: a step was called that is not there while this one is graded\n");
     abort();
 }
 
-// Asked by opening it: Landlock answers nothing else.
+// Tried by opening it: under Landlock stat and access succeed for files that cannot be opened.
 static bool is_in_sight(const char *path)
 {
     FILE *file = fopen(path, "rb");
     return file && fclose(file) == 0;
 }
 
-// Others from whatever solutions lie in the references' directory; a graded step's own solution is never loaded.
+// Loads the solutions that lie in the references' directory, but for those of the graded steps.
 static bool load(const Arguments *a, const bool graded[STEP_COUNT], Error *error)
 {
     void (*absent)(void) = step_is_absent;

@@ -50,7 +50,7 @@ bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_passes(ProbeLine *line, ProbeOutput *output, Error *error);
 bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error);
 
-// Whose result hangs on more than what it was given has random numbers of its own, or reads what it never set.
+// A step whose result is another when it is called again has random numbers of its own, or reads a variable that it never set.
 #define PROBE_NOT_AGAIN                                                                                                \
     "gave another result when it was called again with the same arguments and the same random numbers"
 bool probe_same_again(const ProbeOutput *first, const ProbeOutput *again, Error *error);

@@ -22,7 +22,7 @@ struct GivenEstimates {
     IrradianceEstimate estimates[MOST_ESTIMATES];
 };
 
-// SCENE, then the irradiance.
+// A line begins with SCENE and the irradiance that all its surfaces receive.
 static bool read_scene(ProbeLine *line, Given *given, Error *error)
 {
     struct GatherScene *s = calloc(1, sizeof *s);
@@ -40,7 +40,7 @@ static bool read_scene(ProbeLine *line, Given *given, Error *error)
     return true;
 }
 
-// … and the ray: origin, direction.
+// Scene, irradiance, and a ray: origin, direction.
 bool read_ray_in_scene(ProbeLine *line, Given *given, Error *error)
 {
     bool ok = read_scene(line, given, error);
@@ -50,7 +50,7 @@ bool read_ray_in_scene(ProbeLine *line, Given *given, Error *error)
     return ok;
 }
 
-// … and a ray that ends at the hit.
+// Scene, irradiance, and a ray whose end is the hit.
 bool read_hit_in_scene(ProbeLine *line, Given *given, Error *error)
 {
     if (!read_ray_in_scene(line, given, error))
@@ -60,7 +60,7 @@ bool read_hit_in_scene(ProbeLine *line, Given *given, Error *error)
            error_set(error, "the ray to the hit meets nothing");
 }
 
-// Of each cell, ring by ring. What the rays brought is not for the step to look at.
+// Distances, cell by cell, ring after ring. Radiances are NaN, since the step must not use them.
 bool read_distances(ProbeLine *line, Given *given, Error *error)
 {
     (void)error;
@@ -82,7 +82,7 @@ bool read_estimates(ProbeLine *line, Given *given, Error *error)
         return error_set(error, "not enough memory");
     given->count = (size_t)probe_whole(line, 0, MOST_ESTIMATES);
     if (line->broken)
-        return true; // said by the caller
+        return true; // the caller tells of a broken line
     for (size_t i = 0; i < given->count; i++) {
         IrradianceEstimate *estimate = &all->estimates[i];
         estimate->position = probe_vec3(line);

@@ -106,7 +106,7 @@ bool read_surroundings(ProbeLine *line, Given *given, Error *error)
     given->gather = &given->gather_read;
     long count = probe_whole(line, 0, MOST_PHOTONS);
     if (line->broken)
-        return true; // said by the caller
+        return true; // the caller tells of a broken line
     StoredPhoton *photons = calloc((size_t)count + 1, sizeof *photons);
     given->gather_read.near =
         malloc(PHOTON_MAP_NEAREST_CAPACITY(given->gather_read.k) * sizeof *given->gather_read.near);

@@ -50,7 +50,7 @@ static bool run_pass(const Scene *scene, PhotonPassOptions *options, long most, 
     while (!output->out_of_memory && output->count < start + SCATTER_HEAD + (size_t)most * SCATTER_NUMBERS)
         probe_put(output, 0.0f);
     if (output->out_of_memory)
-        return true; // said by the caller
+        return true; // the caller tells of a broken line
     head = (PhotonNumbersHead){(float)record.stored, (float)pass.emitted, (float)pass.unsound.total};
     memcpy(output->values + start, &head, sizeof head);
     return true;

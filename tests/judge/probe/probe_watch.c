@@ -128,7 +128,7 @@ static void report_crash(const Crash *crash)
     send(line, line + 1);
 }
 
-// The judge's filter cannot forbid exec, as it holds before this very program is started. From now on it can.
+// The judge's filter must allow exec, since it holds before this program is started by one. From now on exec is forbidden.
 static void forbid_exec(void)
 {
 #if defined(__linux__) && defined(SYS_execve) && defined(SECCOMP_MODE_FILTER)
@@ -145,8 +145,8 @@ static void forbid_exec(void)
 #endif
 }
 
-// The judge says how long this may take by the clock. A signal of its own tells where it waits, one from outside would not
-// reach it.
+// The judge says how long this may take by the clock. A step that waits too long is told by the probe's own alarm, whose handler
+// knows where; a signal from the judge would not reach a process in a namespace of its own.
 static void set_alarm(void)
 {
     const char *text = getenv("PHOTONLAB_PROBE_SECONDS");

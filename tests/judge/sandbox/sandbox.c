@@ -35,7 +35,7 @@ static void fill_environment(const SandboxRun *run, Words *words)
         words_add(words, "PHOTONLAB_PROBE_SECONDS=%.3f", run->wall_seconds);
 }
 
-// The program where it lies, with all that it sees where that lies.
+// For a sandbox that shows files where they are: the program's own path, its arguments unchanged, and what it may read.
 static bool add_arguments(const SandboxRun *run, Launch *launch, Error *error)
 {
     char *program = sandbox_find_program(run->arguments[0]);
@@ -193,7 +193,8 @@ static void watch(pid_t child, int out, const SandboxRun *run, SandboxResult *re
         if (poll(&wait, 1, more ? 20 : 2) > 0)
             more = read_some(out, result, &used);
         siginfo_t info = {.si_pid = 0};
-        // Left unreaped, so that its number, which is its group's too, stays its own until all are ended.
+        // WNOWAIT: not reaped yet. Until then its number, which is its group's, too, is given to nobody else, and the kill
+        // below ends no stranger.
         ended = waitid(P_PID, (id_t)child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
         result->timed_out = !ended && now() > deadline;
     }
@@ -201,7 +202,8 @@ static void watch(pid_t child, int out, const SandboxRun *run, SandboxResult *re
     kill(child, SIGKILL);
     while (wait4(child, &state, 0, &usage) < 0 && errno == EINTR)
         continue;
-    // What was still on its way. The pipe ends with the last process that holds it; one that fled is not waited for long.
+    // Reads what is still in the pipe. It ends when the last process that holds it does; a process that left the group may
+    // hold it for ever, so not for long.
     for (deadline = now() + GRACE; more && now() < deadline;) {
         struct pollfd wait = {out, POLLIN, 0};
         if (poll(&wait, 1, 50) > 0)

@@ -119,7 +119,7 @@ static void place_descriptors(int out, int result, int rules, int complaint)
             dup2(moved[i], i);
     }
     fcntl(COMPLAINT_FD, F_SETFD, FD_CLOEXEC);
-    // Whatever other threads of the judge have open is nobody's business.
+    // The program must not inherit what other threads of the judge have open.
 #ifdef SYS_close_range
     if (syscall(SYS_close_range, FIRST_OTHER_FD, ~0u, 0) == 0)
         return;
@@ -128,7 +128,7 @@ static void place_descriptors(int out, int result, int rules, int complaint)
         close(fd);
 }
 
-// Between fork and exec of a program with threads: system calls alone.
+// Runs between fork and exec. The judge has threads, so that only system calls are safe here.
 void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launch, int out, int complaint)
 {
     const char *path = launch->arguments.list[0], *problem;

@@ -19,7 +19,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// Nobody's business: other processes, other machines, the kernel's locks.
+// Neither steps nor compilers may call these, which reach other processes, other machines, or settings of the kernel.
 static const char never[] =
     "socket socketpair ptrace process_vm_readv process_vm_writev kcmp pidfd_open pidfd_getfd "
     "pidfd_send_signal process_madvise mount umount2 pivot_root chroot setns unshare fsopen fsmount fspick "
@@ -29,15 +29,15 @@ static const char never[] =
     "msgget mq_open mq_unlink quotactl acct swapon reboot init_module finit_module kexec_load fanotify_init "
     "syslog";
 
-// Compilers do these.
+// Compilers may call these, and steps may not.
 static const char probe_never[] =
     "fork vfork clone clone3 kill tkill rt_sigqueueinfo rt_tgsigqueueinfo setsid setpgid memfd_create "
     "memfd_secret execveat personality creat mkdir mkdirat mknod mknodat link linkat symlink symlinkat "
     "rename renameat renameat2 unlink unlinkat rmdir chmod fchmod fchmodat fchmodat2 chown lchown fchown "
     "fchownat truncate utime utimes utimensat setxattr lsetxattr fsetxattr";
 
-// What loader, C library, sanitizers and probe do. Of prctl only what shuts more, not
-// what lets a process outlive the one that started it.
+// What the loader, the C library, the sanitizers and the probe call. prctl is not among them: fill_for_probe allows two of its
+// uses, which only take rights away.
 static const char probe_may[] =
     "read write readv writev pread64 pwrite64 close lseek _llseek fstat fstat64 stat stat64 lstat lstat64 fstatat64 newfstatat statx "
     "access faccessat faccessat2 readlink readlinkat getcwd getdents getdents64 fcntl fcntl64 ioctl dup dup2 dup3 poll ppoll "
@@ -86,12 +86,12 @@ static bool allow_with(scmp_filter_ctx filter, int number, uint64_t first)
 
 static bool fill_for_probe(scmp_filter_ctx filter, long memory_mb)
 {
-    // A request for memory beyond the limit would only fail, and crash the program later, elsewhere.
+    // A request for more memory than the limit is stopped here, where it is made; refused, it would crash the program later.
     uint64_t most = memory_mb > 0 ? (uint64_t)memory_mb << 20 : UINT64_MAX;
     const struct scmp_arg_cmp huge = SCMP_CMP64(1, SCMP_CMP_GE, most, 0), other = SCMP_CMP64(1, SCMP_CMP_LT, most, 0);
     return allow_with(filter, SCMP_SYS(prctl), PR_SET_NO_NEW_PRIVS) &&
            allow_with(filter, SCMP_SYS(prctl), PR_SET_SECCOMP) &&
-           allow_with(filter, SCMP_SYS(prlimit64), 0) && // its own
+           allow_with(filter, SCMP_SYS(prlimit64), 0) && // of the process itself
            rule_for_all(filter, SCMP_ACT_TRAP, never) && rule_for_all(filter, SCMP_ACT_TRAP, probe_never) &&
            rule_for_all(filter, SCMP_ACT_ALLOW, probe_may) && allow_reading(filter, "open", 1) &&
            allow_reading(filter, "openat", 2) &&

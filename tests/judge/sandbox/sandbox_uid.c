@@ -22,7 +22,8 @@
 #define FIRST_UID 60600
 #define LAST_UID  61100
 
-// Holds a name that the kernel gives out once and takes back when the judge ends, however it ends. −1: taken.
+// No two runs may have one user. An abstract socket's name exists once on a machine, and the kernel frees it when the judge ends,
+// however it ends. −1: another run has this user.
 static int lock_uid(uid_t uid)
 {
     struct sockaddr_un name = {.sun_family = AF_UNIX};
@@ -42,7 +43,7 @@ static bool is_below(const char *path, const char *top)
     return strncmp(path, top, length) == 0 && (path[length] == '/' || path[length] == '\0');
 }
 
-// All or nothing: what the program is told of one folder must hold for what else lies in it.
+// If one of the paths has to be copied, all are: paths of one folder in arguments are then all turned to the copies.
 static bool needs_copies(const SandboxRun *run)
 {
     for (int i = 0; i < MOST_VISIBLE && run->visible[i]; i++)
@@ -51,7 +52,7 @@ static bool needs_copies(const SandboxRun *run)
     return false;
 }
 
-// Where the program finds what an argument names: in the folder, when it, or something in it or above it, was copied.
+// An argument that names what was copied, or what lies in it or above it, is turned to the copy.
 static void add_argument(const SandboxRun *run, Launch *launch, const bool *copied, const char *argument)
 {
     const char *path = strncmp(argument, "-I", 2) == 0 ? argument + 2 : argument;

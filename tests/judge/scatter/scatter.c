@@ -11,7 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define LEVEL 1e-3 // as a step's: chance that right code fails in the first round
+#define LEVEL 1e-3 // the chance that right code fails in the first round, as for a step
 
 const ScatterStage scatter_stages[STAGE_COUNT] = {
     [0] = {"tests/steps/scenes/scatter_1.yaml", 24000, 16, "power"},
@@ -26,7 +26,7 @@ typedef struct {
     char play[40];  // "2.4,3.4"
 } Cast;
 
-// Their names, and what must not be in sight of them.
+// Their names, and which solutions they must not see.
 static void list_cast(Cast *cast)
 {
     cast->list[0] = '\0';
@@ -36,12 +36,12 @@ static void list_cast(Cast *cast)
             continue;
         text_append(cast->list, sizeof cast->list, "%s%s", *cast->list ? "," : "", step_table[i].id);
         cast->hide[i] = true;
-        for (size_t j = 0; j < STEP_COUNT; j++) // nor may it see what does the same work
+        for (size_t j = 0; j < STEP_COUNT; j++) // solutions that do the same work are hidden, too
             cast->hide[j] = cast->hide[j] || steps_are_paired(&step_table[i], &step_table[j]);
     }
 }
 
-// The stage's steps that are to be had and play in a photon pass; of two that do the same work, one.
+// The student's steps of this stage that run and play in a photon pass; of two that do the same work, the one that plays.
 static void choose_cast(int stage, const StepResult *graded, int count, Cast *cast)
 {
     *cast = (Cast){.list = ""};
