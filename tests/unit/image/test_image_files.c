@@ -66,9 +66,8 @@ TEST(every_kind_of_png_is_read)
 
 // ---- PNG files that are damaged ----
 
-enum { NO_PALETTE = 1, NO_DATA = 2, NO_HEADER = 4, TWO_HEADERS = 8 };
-
-// A grey image of 8 bits and 2×2 pixels, with something wrong. Bytes: header at 8…32, data at 33…61, end at 62…73.
+// A grey image of 8 bits and 2×2 pixels, with something wrong: what we look at ourselves, and of what libpng finds one of each sort
+// (make fuzz READER=png tries the rest). Bytes: header at 8…32, data at 33…61, end at 62…73.
 typedef struct {
     uint32_t width, height;
     unsigned char rest[5];
@@ -76,7 +75,7 @@ typedef struct {
     size_t flip; // this byte is changed; 0: none
     size_t size;
     const char *rows;
-    int left_out;
+    bool no_data;
     const char *message;
 } BadPng;
 
@@ -87,47 +86,32 @@ typedef struct {
 #define ROWS 6, "\0\1\2\0\3\4"
 
 static const BadPng BAD_PNG[] = {
-    {2, 2, GREY, 74, 0, ROWS, 0, "not a PNG file"},
-    {2, 2, GREY, 67, 0, ROWS, 0, "not a PNG file"},
-    {2, 2, GREY, 0, 3, ROWS, 0, "not a PNG file"},
-    {2, 2, GREY, 66, 0, ROWS, 0, "the file ends too early"},
-    {2, 2, GREY, 50, 0, ROWS, 0, "the file ends too early"},
-    {2, 2, GREY, 30, 0, ROWS, 0, "the file ends too early"},
-    {2, 2, GREY, 12, 0, ROWS, 0, "the file ends too early"},
-    {2, 2, GREY, 1, 0, ROWS, 0, "the file ends too early"},
-    {2, 2, GREY, 0, 19, ROWS, 0, "IHDR: CRC error"},
-    {2, 2, GREY, 0, 9, ROWS, 0, "IHDR"},
-    {2, 2, GREY, 0, 60, ROWS, 0, "IDAT: CRC error"},
-    {2, 2, GREY, 0, 33, ROWS, 0, "PNG: "}, // a chunk too long; in words that differ by version of libpng
-    {0, 2, GREY, 0, 0, ROWS, 0, "width is zero"},
-    {2, 0, GREY, 0, 0, ROWS, 0, "height is zero"},
-    {65537, 1, GREY, 0, 0, ROWS, 0, "65537×1 pixels; expected 1 to 65536"},
-    {1, 0x7fffffff, GREY, 0, 0, ROWS, 0, "1×2147483647 pixels"},
-    {0x80000000, 1, GREY, 0, 0, ROWS, 0, "out of range"},
-    {65536, 65536, GREY, 0, 0, ROWS, 0, "expected at most 268435456 in all"},
-    {65536, 4096, GREY, 0, 0, ROWS, 0, "too short for its number of pixels"},
-    {2, 2, {3, 0, 0, 0, 0}, 0, 0, ROWS, 0, "Invalid bit depth"},
-    {2, 2, {16, 3, 0, 0, 0}, 0, 0, ROWS, 0, "Invalid color type/bit depth"},
-    {2, 2, {8, 5, 0, 0, 0}, 0, 0, ROWS, 0, "Invalid color type"},
-    {2, 2, {8, 0, 1, 0, 0}, 0, 0, ROWS, 0, "compression method"},
-    {2, 2, {8, 0, 0, 1, 0}, 0, 0, ROWS, 0, "filter method"},
-    {2, 2, {8, 0, 0, 0, 2}, 0, 0, ROWS, 0, "interlace method"},
-    {2, 2, {8, 3, 0, 0, 0}, 0, 0, ROWS, NO_PALETTE, "Missing PLTE"},
-    {2, 2, GREY, 0, 0, ROWS, NO_DATA, "IEND"},
-    {2, 2, GREY, 0, 0, ROWS, NO_HEADER, "IHDR"},
-    {2, 2, GREY, 0, 0, ROWS, TWO_HEADERS, "IHDR"},
-    {2, 2, GREY, 0, 0, 3, "\0\1\2", 0, "Not enough image data"},
-    {2, 2, GREY, 0, 0, 6, "\0\1\2\x09\3\4", 0, "bad adaptive filter value"},
+    {2, 2, GREY, 74, 0, ROWS, false, "not a PNG file"},
+    {2, 2, GREY, 67, 0, ROWS, false, "not a PNG file"},
+    {2, 2, GREY, 0, 3, ROWS, false, "not a PNG file"},
+    {2, 2, GREY, 66, 0, ROWS, false, "the file ends too early"},
+    {2, 2, GREY, 50, 0, ROWS, false, "the file ends too early"},
+    {2, 2, GREY, 1, 0, ROWS, false, "the file ends too early"},
+    {2, 2, GREY, 0, 19, ROWS, false, "IHDR: CRC error"},
+    {2, 2, GREY, 0, 60, ROWS, false, "IDAT: CRC error"},
+    {2, 2, GREY, 0, 33, ROWS, false, "PNG: "}, // a chunk too long; in words that differ by version of libpng
+    {0, 2, GREY, 0, 0, ROWS, false, "width is zero"},
+    {2, 0, GREY, 0, 0, ROWS, false, "height is zero"},
+    {65537, 1, GREY, 0, 0, ROWS, false, "65537×1 pixels; expected 1 to 65536"},
+    {1, 0x7fffffff, GREY, 0, 0, ROWS, false, "1×2147483647 pixels"},
+    {0x80000000, 1, GREY, 0, 0, ROWS, false, "out of range"},
+    {65536, 65536, GREY, 0, 0, ROWS, false, "expected at most 268435456 in all"},
+    {65536, 4096, GREY, 0, 0, ROWS, false, "too short for its number of pixels"},
+    {2, 2, {3, 0, 0, 0, 0}, 0, 0, ROWS, false, "Invalid bit depth"},
+    {2, 2, GREY, 0, 0, ROWS, true, "IEND"},
+    {2, 2, GREY, 0, 0, 3, "\0\1\2", false, "Not enough image data"},
 };
 
 static void build_bad(PngFile *file, const BadPng *bad)
 {
     png_signature(file);
-    if (!(bad->left_out & NO_HEADER))
-        png_header(file, bad->width, bad->height, bad->rest);
-    if (bad->left_out & TWO_HEADERS)
-        png_header(file, bad->width, bad->height, bad->rest);
-    if (!(bad->left_out & NO_DATA))
+    png_header(file, bad->width, bad->height, bad->rest);
+    if (!bad->no_data)
         png_data(file, bad->rows, bad->size);
     png_end(file);
     file->size -= bad->cut;
@@ -154,27 +138,6 @@ TEST(damaged_png_is_refused)
         PngFile file;
         build_bad(&file, &BAD_PNG[i]);
         assert_refused(image_read_png_memory, file.bytes, file.size, i, BAD_PNG[i].message);
-    }
-}
-
-TEST(png_with_a_damaged_stream_is_refused)
-{
-    const struct {
-        size_t size;
-        const char *stream, *message;
-    } cases[] = {
-        {17, "\x79\x01\1\6\0\xf9\xff\0\1\2\0\3\4\0\x1e\0\x0b", "IDAT"},
-        {17, "\x78\x01\1\6\0\xf9\xfe\0\1\2\0\3\4\0\x1e\0\x0b", "IDAT"},
-        {17, "\x78\x01\7\6\0\xf9\xff\0\1\2\0\3\4\0\x1e\0\x0b", "IDAT"},
-        {0, "", "Not enough image data"},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        PngFile file;
-        png_signature(&file);
-        png_header(&file, 2, 2, (const unsigned char[])GREY);
-        png_chunk(&file, "IDAT", cases[i].stream, cases[i].size);
-        png_end(&file);
-        assert_refused(image_read_png_memory, file.bytes, file.size, i, cases[i].message);
     }
 }
 
