@@ -43,6 +43,9 @@ void choose_steps(const char *code, const char *steps_text, bool spectral, const
 // After the work: what right steps never do. Lobes redrawn too often, directions of no length, flux from nowhere.
 void report_oddities(const Ledger *ledger, long paths, const UnsoundPaths *unsound);
 
+// Writes a picture by the file's ending. What is no number is marked, written, and an error all the same: *sound becomes false.
+bool write_picture(Image *image, const char *path, int bits, bool *sound, Error *error);
+
 // After a picture that could not be written: where a value that is no number may have come from.
 void report_suspects(StepChoice choice);
 

@@ -83,6 +83,13 @@ void choose_steps(const char *code, const char *steps_text, bool spectral, const
         play->loop = LOOP_WAVELENGTH;
 }
 
+bool write_picture(Image *image, const char *path, int bits, bool *sound, Error *error)
+{
+    *sound = image_mark_unsound(image, path, error);
+    bool saved = bits == 16 ? image_write_png(image, path, 16, error) : image_write(image, path, error);
+    return saved && *sound;
+}
+
 void report_suspects(StepChoice choice)
 {
     print_ids(STEP_STUDENT, true, choice,

@@ -109,13 +109,6 @@ static void show_progress(void *user, const char *phase, double fraction)
     progress_report(&talk->drawn, "passes", all);
 }
 
-bool write_picture(Image *image, const char *path, int bits, bool *sound, Error *error)
-{
-    *sound = image_mark_unsound(image, path, error);
-    bool saved = bits == 16 ? image_write_png(image, path, 16, error) : image_write(image, path, error);
-    return saved && *sound;
-}
-
 // The file that was asked for, as far as the passes are.
 static bool write_out(Talk *talk, Image *image)
 {

@@ -40,7 +40,4 @@ typedef struct {
 bool render_by_passes(const PassJob *job, const PassFlags *flags, const Scene *scene, const RenderOptions *options,
                       RenderStats *stats, Error *error);
 
-// By the file's ending. What is no number is marked, written, and an error all the same: *sound becomes false.
-bool write_picture(Image *image, const char *path, int bits, bool *sound, Error *error);
-
 #endif
