@@ -2,7 +2,7 @@
 # Is the grader right? Run from the checkout: check_grader.sh quick|matrix|false-verdicts|write
 #
 #   quick            every known mistake, alternative, stub and solution once, at its own step; with HANDS=b only the second
-#                    patch of each mistake, with EVERY=6 one mistake in six and one alternative in six (both: part of
+#                    patch of each mistake, with EVERY=9 one in nine of mistakes, alternatives and stubs (both: part of
 #                    `make check`); with ONLY='4.2|4.3_' the cases of these names alone
 #   matrix           the same with gcc and clang, -O0 and -O2, two salts, on one core and on two: same verdict, same points
 #   false-verdicts   right solutions over many salts, one round without confirmation: how often is one called wrong?
@@ -62,7 +62,8 @@ check_diagnosis() {
 quick() {
     local results=$found/quick.txt
     [ "${EVERY:-1}${ONLY:-}" = 1 ] || results=$found/some.txt # no table is written of these
-    grep -E "^([^/]{2,}|[${HANDS:-ab}])/(${ONLY:-})" "$work/list" | awk -v every="${EVERY:-1}" '!/^([ab]|more|right)\// || n++ % every == 0' |
+    grep -E "^([^/]{2,}|[${HANDS:-ab}])/(${ONLY:-})" "$work/list" |
+        awk -F/ -v every="${EVERY:-1}" '$1 !~ /^([ab]|more|right|stub)$/ || n[$1]++ % every == 0' |
         grade_cases | sort >"$results"
     all_are "a|b|more" fail "known mistakes fail at the step that they name" "$results"
     all_are unknown fail "unknown mistakes fail at their step" "$results"
