@@ -60,7 +60,8 @@ bool EXPORT(web_draw)(int width, int height)
     Captions captions = {.status = NULL};
     const Image *image = &page.rendered.image;
     if (page.show_rendered && image->pixels)
-        captions.pictures[0] = (Picture){rendered_rgba(image), image->width, image->height};
+        captions.pictures[0] =
+            (Picture){rendered_rgba(image, view_brightness(&page.view)), image->width, image->height};
     view_draw(page.canvas, &page.view, page.data, NULL, &captions);
     free((void *)captions.pictures[0].rgba);
     canvas_present(page.canvas, width, height);

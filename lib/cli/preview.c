@@ -36,6 +36,7 @@ static const char help_end[] =
     "  --camera PX,PY,PZ,TX,TY,TZ   from where and to where; --frame: all of the scene\n"
     "  --framing ZOOM,RIGHT,UP      of the lobe and the screen: so many times nearer, and so far to the side, in heights\n"
     "                               of the picture\n"
+    "  --exposure STOPS     photons and pictures brighter, or darker: one more is twice as bright\n"
     "  --flight M           only what has flown no farther than M metres\n"
     "  --size WxH           pixels (1280x720)\n"
     "  --photons N          to emit (200000)\n"
@@ -62,7 +63,7 @@ typedef struct {
     Choice view, colour, context, integrator, radii;
     int size[2];
     bool frame, no_wireframe, split, bare;
-    float flight;
+    float flight, exposure;
     double settings[VIEW_COUNT][MOST_SETTINGS];
     PreviewOptions options;
 } Arguments;
@@ -150,6 +151,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"camera", FLAG_TEXT, &a->camera, 0, 0},
         {"framing", FLAG_TEXT, &a->framing, 0, 0},
         {"frame", FLAG_PRESENT, &a->frame, 0, 0},
+        {"exposure", FLAG_FLOAT, &a->exposure, (double)-MOST_EXPOSURE, (double)MOST_EXPOSURE},
         {"flight", FLAG_FLOAT, &a->flight, 0, 1e30},
         {"size", FLAG_SIZE, a->size, 64, MOST_SIDE},
         {"photons", FLAG_LONG, &o->photons, 1, 100000000},
@@ -200,6 +202,7 @@ static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *
     view->split = a->split || a->options.given[1];
     view->wireframe = !a->no_wireframe;
     view->flight = (double)a->flight;
+    view->exposure = a->exposure;
     view->panel = a->bare ? 0.0f : is_still(&a->options) ? NARROW_PANEL : WIDE_PANEL;
     memcpy(view->settings, a->settings, sizeof view->settings);
     Vec3 p, t;

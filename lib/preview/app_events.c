@@ -10,7 +10,6 @@ void app_moved(App *app)
     app->dirty = true;
     app->moved_at = clock_seconds();
     app->moving = true;
-    session_stop_render(&app->session); // it shows another view
 }
 
 static App *app_of(Window *window)
@@ -101,7 +100,6 @@ static void on_size(Window *window, int width, int height)
     app->view.scale = window_scale(window); // it may have moved to another monitor
     if (width > 0 && height > 0 && !canvas_resize(app->canvas, width, height, &error))
         fprintf(stderr, "%s\n", error.message);
-    session_stop_render(&app->session);
     app->dirty = true;
 }
 

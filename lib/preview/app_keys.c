@@ -87,10 +87,16 @@ static void choose_within(App *app)
 
 static void toggle_render(App *app)
 {
-    if (app->session.runs[RUN_RENDER][YOURS])
+    if (app->session.rendering)
         session_stop_render(&app->session);
     else if (view_type(&app->view)->shows != RUN_LOBE)
         session_render(&app->session);
+}
+
+static void change_exposure(App *app)
+{
+    float stops = app->view.exposure + (app->key == '.' ? 0.5f : -0.5f);
+    app->view.exposure = fminf(fmaxf(stops, -MOST_EXPOSURE), MOST_EXPOSURE);
 }
 
 static void next_way(App *app)
@@ -205,6 +211,7 @@ static const struct {
     {"w", "wireframe", .toggle = offsetof(App, view.wireframe), .keys = {'w'}},
     {"s", "snapshot", save_snapshot, .keys = {'s'}, .beside = true},
     {"o", "report", open_report, .keys = {'o'}, .beside = true},
+    {", .", "darker, brighter", change_exposure, .keys = {',', '.'}, .beside = true, .held = true},
     {"n", "the next step", next_step, .keys = {'n'}},
     {"?", "a hint for this one, each tells more", hint, .keys = {'?'}, .beside = true},
     {"h", "this list", .toggle = offsetof(App, view.help), .keys = {'h'}},

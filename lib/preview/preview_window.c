@@ -92,7 +92,7 @@ static void note_answer(Session *session)
 // One turn of the loop.
 static void turn(App *app)
 {
-    bool active = session_is_busy(&app->session) || app->session.runs[RUN_RENDER][YOURS] || app->moving || app->flying;
+    bool active = session_is_busy(&app->session) || app->session.rendering || app->moving || app->flying;
     if (app->orbit == TURNING)
         glfw.glfwPollEvents();
     else

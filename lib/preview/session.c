@@ -34,6 +34,7 @@ bool session_start(Session *session, const Scene *scene, const PreviewOptions *o
 
 void session_end(Session *session)
 {
+    session_stop_render(session);
     for (int kind = 0; kind < RUN_KINDS; kind++)
         for (int i = 0; i < PLAYERS; i++)
             session_stop(&session->runs[kind][i]);
@@ -60,7 +61,7 @@ static void rebuilt(Session *session)
     session_ask_player(session, YOURS);
     session->asked_by = "save";
     session->after_save = true; // until the window has shown it
-    if (session->runs[RUN_RENDER][YOURS])
+    if (session->rendering)
         session_render(session);
 }
 

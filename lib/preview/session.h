@@ -29,9 +29,16 @@ typedef struct {
 
     long photons;
     uint64_t seed;
-    Integrator integrator;     // of pictures,
-    RadiiRule radii;           // and of their passes
-    int most_passes;           // 0: until they are stopped
+    Integrator integrator; // of pictures,
+    RadiiRule radii;       // and of their passes
+    int most_passes;       // 0: until they are stopped
+    bool rendering;        // pictures are shown, and no photons
+    struct {
+        Orbit orbit;
+        int width, height, split;
+    } rendered;                // what they were asked of
+    double render_started;     // clock_seconds()
+    Image kept[PLAYERS];       // the picture before, until a new one is there
     double asked_at;           // clock_seconds() of the save or key that the coming photons answer
     const char *asked_by;      // "start", "key" or "save"
     bool after_save, answered; // … and its photons, or the first of them, are there
@@ -61,6 +68,10 @@ void session_ask_photons(Session *session);
 void session_ask_player(Session *session, int player);
 // Asks for whatever the view needs and is not there yet.
 void session_need(Session *session);
+void session_need_render(Session *session);
+// What is the same in all requests of a player.
+RunRequest session_request(const Session *session, int player, RunKind kind);
+void session_start_run(Session *session, int player, const RunRequest *request);
 // What there is of one kind is out of date.
 void session_drop(Session *session, RunKind kind, int player);
 // Ends a run, if there is one.
@@ -77,6 +88,8 @@ void session_wait(Session *session, double seconds);
 // What the view shows, as large as the canvas; where it is split, half of it, and the reference's beside.
 void session_render(Session *session);
 void session_stop_render(Session *session);
+// NULL: there is none yet.
+const Image *session_image(const Session *session, int player);
 // Another way to make a picture.
 void session_next_way(Session *session);
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define LOBE_SAMPLES 10000
+#define LOBE_SAMPLES 20000
 #define FIRST_LOOK   0.12 // s after the request: photons of a slow scene are shown while the rest is on its way
 
 void session_stop(Run **run)
@@ -21,7 +21,7 @@ void session_drop(Session *session, RunKind kind, int player)
     session_stop(&session->runs[kind][player]);
 }
 
-static RunRequest request_for(const Session *session, int player, RunKind kind)
+RunRequest session_request(const Session *session, int player, RunKind kind)
 {
     const PreviewOptions *options = session->options;
     const Recording *yours = view_data_recording(session->data[YOURS]);
@@ -45,7 +45,7 @@ static RunRequest request_for(const Session *session, int player, RunKind kind)
     return request;
 }
 
-static void start(Session *session, int player, const RunRequest *request)
+void session_start_run(Session *session, int player, const RunRequest *request)
 {
     Error error = {""};
     Run **run = &session->runs[request->kind][player];
@@ -61,8 +61,8 @@ void session_ask_player(Session *session, int player)
         session->coming = session->answered = false;
         session->next_look = clock_seconds() + FIRST_LOOK;
     }
-    RunRequest request = request_for(session, player, RUN_PHOTONS);
-    start(session, player, &request);
+    RunRequest request = session_request(session, player, RUN_PHOTONS);
+    session_start_run(session, player, &request);
 }
 
 void session_ask_photons(Session *session)
@@ -98,9 +98,9 @@ static void need_findings(Session *session, RunKind kind)
             session_drop(session, kind, i);
         if ((i == REFERENCE && !session->view->split) || session->have[kind][i] || session->runs[kind][i])
             continue;
-        RunRequest request = request_for(session, i, kind);
+        RunRequest request = session_request(session, i, kind);
         ask_lobe(session, &request);
-        start(session, i, &request);
+        session_start_run(session, i, &request);
     }
 }
 
@@ -112,48 +112,5 @@ void session_need(Session *session)
         session_ask_player(session, REFERENCE);
     if (view_type(session->view)->shows != RUN_PHOTONS)
         need_findings(session, view_type(session->view)->shows);
-}
-
-void session_render(Session *session)
-{
-    int parts = session->view->split ? PLAYERS : 1;
-    Area area = view_area(session->canvas, session->view);
-    for (int i = 0; i < parts; i++) {
-        RunRequest request = request_for(session, i, RUN_RENDER);
-        request.integrator = session->integrator;
-        request.radii = session->radii;
-        request.passes = session->most_passes;
-        request.camera = orbit_camera(&session->view->orbit);
-        request.width = area.width / parts;
-        request.height = area.height;
-        session->have[RUN_RENDER][i] = false;
-        start(session, i, &request);
-    }
-}
-
-void session_stop_render(Session *session)
-{
-    for (int i = 0; i < PLAYERS; i++)
-        session_drop(session, RUN_RENDER, i);
-}
-
-void session_next_way(Session *session)
-{
-    static const struct {
-        Integrator integrator;
-        RadiiRule radii;
-    } WAYS[] = {{INTEGRATOR_PHOTONS, RADII_ALIKE},
-                {INTEGRATOR_GATHER, RADII_ALIKE},
-                {INTEGRATOR_PHOTONS, RADII_BY_PASS},
-                {INTEGRATOR_PHOTONS, RADII_BY_PIXEL},
-                {INTEGRATOR_PHOTONS_ONLY, RADII_ALIKE}};
-    enum { WAY_COUNT = sizeof WAYS / sizeof *WAYS };
-    int next = 0;
-    for (int i = 0; i < WAY_COUNT; i++)
-        if (WAYS[i].integrator == session->integrator && WAYS[i].radii == session->radii)
-            next = (i + 1) % WAY_COUNT;
-    session->integrator = WAYS[next].integrator;
-    session->radii = WAYS[next].radii;
-    if (session->runs[RUN_RENDER][YOURS])
-        session_render(session);
+    session_need_render(session);
 }

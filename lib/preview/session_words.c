@@ -70,11 +70,10 @@ static void list_faults(const Session *session, char *text, size_t size)
 }
 
 // Of a run that renders, as sRGB, in memory of its own. None: there is nothing yet, or memory is short.
-static Picture picture_of(const Run *run)
+static Picture picture_of(const Session *session, int player)
 {
-    int passes;
-    const Image *image = run ? run_image(run, &passes) : NULL;
-    uint8_t *bytes = image ? rendered_rgba(image) : NULL;
+    const Image *image = session_image(session, player);
+    uint8_t *bytes = image ? rendered_rgba(image, view_brightness(session->view)) : NULL;
     return bytes ? (Picture){bytes, image->width, image->height} : (Picture){NULL, 0, 0};
 }
 
@@ -89,7 +88,7 @@ void session_draw(const Session *session, const View *view, const char *help)
                          .source = session->options->source};
     captions.status = session->options->given[YOURS] ? NULL : status;
     for (int i = 0; i < PLAYERS; i++)
-        captions.pictures[i] = picture_of(session->runs[RUN_RENDER][i]);
+        captions.pictures[i] = picture_of(session, i);
     view_draw(session->canvas, view, session_yours(session), session->data[REFERENCE], &captions);
     for (int i = 0; i < PLAYERS; i++)
         free((void *)captions.pictures[i].rgba);

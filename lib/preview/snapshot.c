@@ -76,6 +76,8 @@ void snapshot_command(const Session *session, char *text, size_t size)
                     (double)framing->up);
     if (view->flight >= 0.0)
         text_append(text, size, " --flight %.4g", view->flight);
+    if (view->exposure != 0.0f)
+        text_append(text, size, " --exposure %g", (double)view->exposure);
     if (view->split)
         text_append(text, size, " --split");
     if (!view->wireframe)

@@ -9,7 +9,7 @@
 static const char VERTEX_SHADER[] = "layout(location = 0) in vec3 position;\n"
                                     "layout(location = 1) in vec4 colour;\n"
                                     "uniform mat4 projection;\n"
-                                    "uniform float exposure;\n"
+                                    "uniform float exposure, opacity;\n"
                                     "out vec4 shade;\n"
                                     "#ifdef GL_ES\n" // has no glPointSize
                                     "uniform float point_size;\n"
@@ -19,7 +19,7 @@ static const char VERTEX_SHADER[] = "layout(location = 0) in vec3 position;\n"
                                     "    gl_PointSize = point_size;\n"
                                     "#endif\n"
                                     "    gl_Position = projection * vec4(position, 1.0);\n"
-                                    "    shade = vec4(colour.rgb * exposure, colour.a);\n"
+                                    "    shade = vec4(colour.rgb * exposure, colour.a * opacity);\n"
                                     "}\n";
 static const char FRAGMENT_SHADER[] = "in vec4 shade;\n"
                                       "layout(location = 0) out vec4 result;\n"
@@ -60,6 +60,7 @@ Canvas *canvas_create(GlLoader loader, int width, int height, Error *error)
     }
     canvas->projection = gl->GetUniformLocation(canvas->program, "projection");
     canvas->exposure = gl->GetUniformLocation(canvas->program, "exposure");
+    canvas->opacity = gl->GetUniformLocation(canvas->program, "opacity");
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl->Disable(GL_DITHER);

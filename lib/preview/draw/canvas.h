@@ -39,6 +39,7 @@ typedef struct {
     DrawKind kind;
     bool additive;    // adds colour·alpha to what is there; otherwise covers (alpha blends)
     float exposure;   // factor on colours; 0 counts as 1
+    float opacity;    // on alpha; 0 counts as 1
     float point_size; // pixels; 0 counts as 1
 } DrawStyle;
 

@@ -38,6 +38,7 @@ void vertex_buffer_draw(Canvas *canvas, const VertexBuffer *buffer, size_t first
     // The picture itself stays opaque: alpha is kept at 1.
     gl->BlendFuncSeparate(GL_SRC_ALPHA, style->additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     gl->Uniform1f(canvas->exposure, style->exposure != 0 ? style->exposure : 1.0f);
+    gl->Uniform1f(canvas->opacity, style->opacity != 0 ? style->opacity : 1.0f);
     if (style->kind == DRAW_POINTS)
         gl->PointSize(style->point_size != 0 ? style->point_size : 1.0f);
     gl->BindVertexArray(buffer->array);

@@ -15,10 +15,10 @@ struct Canvas {
     int width, height;
     unsigned framebuffer, colour;
     unsigned program;
-    int projection, exposure;  // its uniforms
-    unsigned picture, texture; // canvas_picture's: a framebuffer, and what it shows
-    VertexBuffer stream;       // canvas_draw's
-    CanvasView view;           // as canvas_view set it
+    int projection, exposure, opacity; // its uniforms
+    unsigned picture, texture;         // canvas_picture's: a framebuffer, and what it shows
+    VertexBuffer stream;               // canvas_draw's
+    CanvasView view;                   // as canvas_view set it
 };
 
 // Sets viewport, scissor and projection.

@@ -30,13 +30,14 @@ void rendered_add(Rendered *rendered, int width, int height, const Colour *pixel
     }
 }
 
-uint8_t *rendered_rgba(const Image *image)
+uint8_t *rendered_rgba(const Image *image, float brightness)
 {
     size_t count = (size_t)image->width * (size_t)image->height;
     uint8_t *bytes = malloc(count * 4);
     for (size_t i = 0; bytes && i < count; i++) {
         for (int c = 0; c < 3; c++)
-            bytes[4 * i + (size_t)c] = (uint8_t)(255.0f * srgb_encode(colour_channel(image->pixels[i], c)) + 0.5f);
+            bytes[4 * i + (size_t)c] =
+                (uint8_t)(255.0f * srgb_encode(brightness * colour_channel(image->pixels[i], c)) + 0.5f);
         bytes[4 * i + 3] = 255;
     }
     return bytes;

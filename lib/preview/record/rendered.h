@@ -15,7 +15,7 @@ typedef struct {
 // (`mean_of`); otherwise one more pass. All but a quick one must have the image's size, and passes come in their order.
 void rendered_add(Rendered *rendered, int width, int height, const Colour *pixels, bool quick, int mean_of);
 
-// As sRGB, opaque, in memory of its own; NULL: memory is short.
-uint8_t *rendered_rgba(const Image *image);
+// As sRGB, opaque, so many times as bright, in memory of its own; NULL: memory is short.
+uint8_t *rendered_rgba(const Image *image, float brightness);
 
 #endif

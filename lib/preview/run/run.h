@@ -92,5 +92,6 @@ Findings run_take_findings(Run *run);
 // The mean of the passes that have come so far; owned by the run, and changed by later polls. NULL: none yet; 0 passes:
 // a quick look, a pass of a sixteenth of the pixels blown up. The same seed and passes give the same bytes.
 const Image *run_image(const Run *run, int *passes);
+Image run_take_image(Run *run); // it is the caller's; the run has none any more
 
 #endif

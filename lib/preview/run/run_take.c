@@ -88,6 +88,13 @@ bool run_copy_partial(Run *run, Recording *recording)
     return true;
 }
 
+Image run_take_image(Run *run)
+{
+    Image image = run->rendered.image;
+    run->rendered = (Rendered){.passes = 0};
+    return image;
+}
+
 Findings run_take_findings(Run *run)
 {
     static const size_t SIZES[RUN_RENDER] = {[RUN_LOBE] = sizeof(LobeSample),

@@ -1,11 +1,10 @@
 // The lobe of a scatter step's equation, and the cloud of its samples. A sample's point lies in its direction, as far out
-// as the samples are dense there, by the estimate that photon maps make: k nearest over their area. So the cloud lies on
-// the equation's surface where the step is right, whatever is wrong in it.
+// as the samples are dense there, by the estimate that photon maps make: k nearest over their area. Such an estimate is a mean
+// over its disk, too low at the tip and too high beside it; what the equation's own mean is off by is taken out again. So the
+// cloud lies on the equation's surface where the step is right, whatever is wrong in it.
 #include "preview/view/view_internal.h"
 
 #include <stdlib.h>
-
-#define NEAREST 300 // samples in an estimate: 6 % of noise
 
 float lobe_density(const Lobe *lobe, Vec3 direction)
 {
@@ -73,10 +72,25 @@ static size_t to_photons(const Findings *samples, LobeCounts *counts, StoredPhot
     return count;
 }
 
+float lobe_expected(const Lobe *lobe, Vec3 direction, float r, float *share)
+{
+    enum { PLACES = 64 };
+    Frame frame = frame_about(direction);
+    float sum = 0.0f;
+    for (int i = 0; i < PLACES; i++) {
+        float c2 = r * r * ((float)i + 0.5f) / PLACES, phi = 2.39996323f * (float)i; // the golden angle
+        float cosine = 1.0f - 0.5f * c2,
+              sine = sqrtf(fmaxf(1.0f - cosine * cosine, 0.0f)); // of the angle under a chord
+        sum += lobe_density(lobe, frame_to_world(&frame, vec3(sine * cosf(phi), sine * sinf(phi), cosine)));
+    }
+    *share = sum / PLACES * PI * r * r;
+    return sum / PLACES / part_above(direction.z, r);
+}
+
 void lobe_cloud(const Lobe *lobe, const Findings *samples, LobeCounts *counts, Vertices *list)
 {
     StoredPhoton *photons = malloc((samples->count + 1) * sizeof *photons);
-    NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(NEAREST)];
+    NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(LOBE_NEAREST)];
     Error error;
     size_t count = photons ? to_photons(samples, counts, photons) : 0;
     PhotonMap *map = photons ? photon_map_build(photons, count, &error) : NULL;
@@ -84,11 +98,14 @@ void lobe_cloud(const Lobe *lobe, const Findings *samples, LobeCounts *counts, V
         const StoredPhoton *photon = &photon_map_photons(map)[i];
         Vec3 direction = photon->position;
         float radius2 = INFINITY;
-        if (photon_map_nearest(map, direction, NEAREST, &radius2, near) < NEAREST)
+        if (photon_map_nearest(map, direction, LOBE_NEAREST, &radius2, near) < LOBE_NEAREST)
             continue;
         radius2 = fmaxf(radius2, 1e-10f);
-        float share = (float)(NEAREST - 1) / (float)samples->count; // without the sample itself
-        float density = share / (PI * radius2 * part_above(direction.z, sqrtf(radius2)));
+        float share = (float)(LOBE_NEAREST - 1) / (float)samples->count; // without the sample itself
+        float radius = sqrtf(radius2), inside, density = share / (PI * radius2 * part_above(direction.z, radius));
+        if (direction.z > 0.0f)
+            density += lobe_density(lobe, direction) - lobe_expected(lobe, direction, radius, &inside);
+        density = fmaxf(density, 1e-4f * lobe->peak);
         float length = vec3_length(((const LobeSample *)samples->items)[photon->packed_wi].direction);
         float far_out = fminf(density / lobe->peak, 2.5f) * length;
         Rgba colour = direction.z < 0.0f ? (Rgba){255, 50, 50, 255} : (Rgba){255, 205, 110, 120};

@@ -49,6 +49,7 @@ typedef struct {
     double flight;      // photons are drawn that have flown no farther, m; negative: all
     size_t most_points; // drawn; 0: all
     bool help;          // the list of keys
+    float exposure;     // of photons and pictures, stops: one more is twice as bright
     float panel;        // width of the column of words beside the picture, ems; 0: there is none, and no words
     float scale;        // of words, as canvas_text has it; 0: by the picture's size
     double settings[VIEW_COUNT][MOST_SETTINGS];
@@ -96,6 +97,11 @@ static inline const ViewType *view_type(const View *view)
 }
 
 View view_default(const Scene *scene);
+static inline float view_brightness(const View *view)
+{
+    return exp2f(view->exposure);
+}
+#define MOST_EXPOSURE 12.0f
 
 #define NARROW_PANEL 21.0f // ems
 #define WIDE_PANEL   30.0f

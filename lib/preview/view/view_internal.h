@@ -99,6 +99,8 @@ typedef struct {
 // `angle` of the mirror direction to the normal, degrees.
 Lobe lobe_of(float exponent, float angle, bool diffuse, StepChoice play);
 float lobe_density(const Lobe *lobe, Vec3 direction); // over directions, 1/sr
+// What an estimate from the disk of radius r about a direction comes to where samples are right, 1/sr; *share of them lies in it.
+float lobe_expected(const Lobe *lobe, Vec3 direction, float r, float *share);
 // As it stands before the viewer: up is the normal, +y, and the mirror direction lies on the side of +x.
 Vec3 lobe_upright(Vec3 local);
 // Samples that were absorbed, point into the surface, or are not of length 1.
@@ -106,6 +108,7 @@ typedef struct {
     size_t absorbed, below, not_unit;
 } LobeCounts;
 // A point for each sample that is up to it, upright.
+#define LOBE_NEAREST 1000 // samples in an estimate: 3.2 % of noise
 void lobe_cloud(const Lobe *lobe, const Findings *samples, LobeCounts *counts, Vertices *list);
 
 // ---- screen ----
@@ -139,6 +142,7 @@ struct Legend {
 };
 // Those past MOST_ENTRIES are left out.
 void legend_add(Legend *legend, Rgba colour, const char *format, ...) PRINTF_LIKE(3, 4);
+void list_wavelengths(Legend *legend);
 // ViewType.legend of views whose colours are View.colour: photons where they lie, and legs, which fly to any material.
 void legend_of_photons(const View *view, const ViewData *data, Legend *legend);
 void legend_of_legs(const View *view, const ViewData *data, Legend *legend);

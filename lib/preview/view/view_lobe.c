@@ -19,24 +19,26 @@ static float ring_angle(const Lobe *lobe, int i)
     return inner + (PI - inner) * (part - 1.0f);
 }
 
-static Vec3 surface_point(const Lobe *lobe, const Frame *frame, int ring, int spoke)
+static Vec3 surface_point(const Lobe *lobe, float share, const Frame *frame, int ring, int spoke)
 {
     float alpha = ring_angle(lobe, ring), phi = 2.0f * PI * (float)spoke / SPOKES;
     Vec3 local = vec3(sinf(alpha) * cosf(phi), sinf(alpha) * sinf(phi), cosf(alpha));
     Vec3 direction = frame_to_world(frame, local);
-    return lobe_upright(vec3_scale(direction, lobe_density(lobe, direction) / lobe->peak));
+    return lobe_upright(vec3_scale(direction, share * lobe_density(lobe, direction) / lobe->peak));
 }
 
-static void add_surface(const Lobe *lobe, Vertices *list)
+// `share` of the surface's size, as bright as `alpha`.
+static void add_surface(const Lobe *lobe, float share, float alpha, Vertices *list)
 {
     Frame frame = frame_about(lobe->diffuse ? vec3(0, 0, 1) : lobe->mirror);
-    Rgba colour = {90, 200, 255, 150};
+    Rgba colour = rgba_fade((Rgba){90, 200, 255, 150}, alpha);
     for (int ring = 0; ring < RINGS; ring++)
         for (int spoke = 0; spoke < SPOKES; spoke++) {
-            Vec3 here = surface_point(lobe, &frame, ring, spoke);
+            Vec3 here = surface_point(lobe, share, &frame, ring, spoke);
             if (spoke % 2 == 0)
-                vertices_line(list, here, surface_point(lobe, &frame, ring + 1, spoke), colour);
-            vertices_line(list, here, surface_point(lobe, &frame, ring, spoke + 1), rgba_fade(colour, 0.24f));
+                vertices_line(list, here, surface_point(lobe, share, &frame, ring + 1, spoke), colour);
+            vertices_line(list, here, surface_point(lobe, share, &frame, ring, spoke + 1),
+                          rgba_fade(colour, 0.24f * alpha));
         }
 }
 
@@ -98,7 +100,9 @@ static void draw(const Pane *pane)
         Lobe lobe = lobe_of(exponent, angle, diffuse, play);
         Vertices list = {.items = NULL};
         add_axes(&lobe, &list);
-        add_surface(&lobe, &list);
+        float noise = 2.0f / sqrtf(LOBE_NEAREST);
+        add_surface(&lobe, 1.0f, 1.0f, &list);
+        add_surface(&lobe, 1.0f + noise, 0.3f, &list); // where 19 of 20 right samples are at most, by chance
         cache_fill(data->canvas, lines, &list);
         if (!cloud_known) {
             lobe_cloud(&lobe, &data->findings[RUN_LOBE], data->found[VIEW_LOBE], &list);
@@ -136,7 +140,7 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
 static void legend(const View *view, const ViewData *data, Legend *legend)
 {
     (void)view, (void)data;
-    legend_add(legend, (Rgba){90, 200, 255, 255}, "the equation");
+    legend_add(legend, (Rgba){90, 200, 255, 255}, "the equation; faint: + noise");
     legend_add(legend, (Rgba){255, 205, 110, 255}, "samples");
     legend_add(legend, (Rgba){235, 235, 245, 255}, "photon");
     legend_add(legend, (Rgba){255, 130, 90, 255}, "mirror direction");
@@ -154,7 +158,7 @@ static void choose(View *view, const ViewData *data, bool sideways, int step)
 }
 
 const ViewType view_lobe = {
-    .help = "10000 samples of the scatter step over the lobe of the equation; --exponent N,\n"
+    .help = "20000 samples of the scatter step over the lobe of the equation; --exponent N,\n"
             "--angle DEGREES of the mirror direction to the normal, --diffuse\n",
     .arrows = "angle, exponent",
     .place = ON_A_STAND,

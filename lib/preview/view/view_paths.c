@@ -84,11 +84,11 @@ static void add_leg(Vertices *list, const PathLeg *leg, Rgba colour, double flig
                     rgba_fade(bright, 0.2f), bright);
 }
 
-// So many lines over the view that they stay apart.
-static float lines_exposure(const Pane *pane, size_t count)
+// So many lines lie over each other at a place: the more, the more transparent each.
+static float lines_opacity(const Pane *pane, size_t count)
 {
-    float across = sqrtf(points_area(pane));
-    return fminf(fmaxf(1.8f * across / ((float)count + 1.0f), 0.05f), 0.9f);
+    float crossing = 0.4f * (float)count / sqrtf(points_area(pane));
+    return fminf(fmaxf(view_brightness(pane->view) * 0.9f / (1.0f + 3.5f * crossing), 0.03f), 1.0f);
 }
 
 // The last of the bright legs.
@@ -148,10 +148,9 @@ static void draw(const Pane *pane)
         }
         cache_fill(pane->canvas, lines, &list);
     }
-    float exposure = lines_exposure(pane, recording->leg_count) * (chosen ? DIM : 1.0f);
+    float opacity = lines_opacity(pane, recording->leg_count) * (chosen ? DIM : 1.0f);
     pane_look_at_scene(pane);
-    pane_draw_cache(pane, lines, 0, lines->buffer.count,
-                    (DrawStyle){.kind = DRAW_LINES, .additive = true, .exposure = exposure});
+    pane_draw_cache(pane, lines, 0, lines->buffer.count, (DrawStyle){.kind = DRAW_LINES, .opacity = opacity});
     if (chosen)
         draw_chosen(pane, chosen, count);
 }

@@ -72,9 +72,9 @@ static void draw(const Pane *pane)
                   (const double[KEY_SIZE]){data->recordings, view->colour, view->flight, flying * (double)drawn}))
         build(data, view, flying ? drawn : count);
     float area = points_area(pane), size = points_size(drawn, area, pane->scale);
+    float exposure = view_brightness(view) * points_exposure(drawn, area, size);
     pane_look_at_scene(pane);
-    pane_draw_cache(pane, points, 0, drawn,
-                    (DrawStyle){.additive = true, .exposure = points_exposure(drawn, area, size), .point_size = size});
+    pane_draw_cache(pane, points, 0, drawn, (DrawStyle){.additive = true, .exposure = exposure, .point_size = size});
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)

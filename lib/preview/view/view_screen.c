@@ -150,7 +150,9 @@ static void draw(const Pane *pane)
     size_t drawn = view->most_points && view->most_points < found->arrivals ? view->most_points : found->arrivals;
     float size = points_size(drawn, area, pane->scale);
     pane_draw_cache(pane, cache, found->first_point, drawn,
-                    (DrawStyle){.additive = true, .point_size = size, .exposure = points_exposure(drawn, area, size)});
+                    (DrawStyle){.additive = true,
+                                .point_size = size,
+                                .exposure = view_brightness(view) * points_exposure(drawn, area, size)});
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)

@@ -106,8 +106,7 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
 static void legend(const View *view, const ViewData *data, Legend *legend)
 {
     (void)view, (void)data;
-    for (int nm = 650; nm >= 450; nm -= 50)
-        legend_add(legend, palette_photon(band_of_wavelength((float)nm)), "%d nm", nm);
+    list_wavelengths(legend);
 }
 
 static void choose(View *view, const ViewData *data, bool sideways, int step)
