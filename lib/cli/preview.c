@@ -54,7 +54,7 @@ static const char help_end[] =
     "                       --reference-file FILE those beside them. Needs --snapshot\n"
     "  --watch DIR --build COMMAND   after each save below DIR: sh -c COMMAND sh SOURCE.c OBJECT.so, and new photons\n"
     "  --judge COMMAND      … and sh -c COMMAND sh ID, whose verdict of the step stands in the panel\n"
-    "  --stage N            the step to begin with is one of this stage\n"
+    "  --stage N            begin with a step of this stage, and go on to other stages' scenes with their steps\n"
     "  --report FILE        what the key `o` opens\n"
     "  --orbit SECONDS      the window turns by itself for so long, and tells how many frames a second it made\n";
 
@@ -253,7 +253,6 @@ int command_preview(int count, char **arguments)
     if (!scene)
         return report_error(&error);
     a.options.scene_path = a.scene;
-    a.options.depth = a.options.depth ? a.options.depth : scene->settings.depth;
     if (!set_view(&a, scene, &a.options.view, &error)) {
         scene_free(scene);
         return report_usage("photonlab preview", "%s", error.message);

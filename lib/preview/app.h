@@ -6,7 +6,9 @@
 #include "preview/window.h"
 
 typedef struct {
-    const Scene *scene;
+    const Scene *scene; // the session's, when it was last looked at
+    int stage;          // likewise
+    Orbit home;         // the scene's camera, or that of the flags
     Window *window;
     Canvas *canvas;
     Session session;

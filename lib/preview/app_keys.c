@@ -125,7 +125,7 @@ static void toggle_panel(App *app)
 
 static void look_as_at_first(App *app)
 {
-    app->view.orbit = app->session.options->view.orbit;
+    app->view.orbit = app->home;
     app->view.framing = app->session.options->view.framing;
     app_moved(app);
 }

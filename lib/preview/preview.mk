@@ -5,8 +5,8 @@ STAGE_SCENES    := $(shell sed -n 's/^STAGE.\([0-9]*\), *"\(.*\)".*/\1=\2/p' lib
 PREVIEW_SCENE    = $(if $(filter undefined file,$(origin SCENE)),$(or $(patsubst $(or $(STAGE),1)=%,%,$(filter $(or $(STAGE),1)=%,$(STAGE_SCENES))),$(error STAGE=$(STAGE): expected one of $(foreach s,$(STAGE_SCENES),$(firstword $(subst =, ,$(s)))))),$(SCENE))
 PREVIEW_SNAPSHOT = $(BUILD)/preview.png
 
-# What a stage is about is what its preview renders.
-STAGE_FLAGS      = $(if $(filter 4,$(STAGE)),--integrator gather) $(if $(filter 5,$(STAGE)),--radii pass) $(if $(filter 6,$(STAGE)),--spectral)
+# What a stage is about is what its preview renders; its own scene is left with its steps.
+STAGE_FLAGS      = $(if $(filter undefined file,$(origin SCENE)),--stage $(or $(STAGE),1))
 PREVIEW_JUDGE    = $(call quoted,nice $(JUDGE) --build $(BUILD) --work $(BUILD)/verdicts --code $(call quoted,$(CODE)) --jobs 1 --lines --step "$$1" 2>&1)
 PREVIEW_FLAGS    = --code '$(CODE_BUILD)' --watch $(call quoted,$(CODE_SOURCE)) --build $(STEP_COMMAND) --report '$(BUILD)/report/index.html'
 
@@ -18,8 +18,8 @@ preview: all meshes code-built
 	@[ -x $(JUDGE) ] || echo "  building the judge"
 	@if $(MAKE) --no-print-directory judge >$(BUILD)/judge.log 2>&1; then set -- --judge $(PREVIEW_JUDGE); \
 	else echo "the judge does not build here, see $(BUILD)/judge.log: the window judges nothing"; set --; fi; \
-	$(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) $(PREVIEW_FLAGS) "$$@" $(if $(STAGE),--stage $(STAGE)) $(STAGE_FLAGS) $(FLAGS)
+	$(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) $(PREVIEW_FLAGS) "$$@" $(STAGE_FLAGS) $(FLAGS)
 
 ## snapshot  the same as a picture, build/preview.png: [FLAGS="--view paths"]
 snapshot: all meshes code-built
-	@$(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) --code '$(CODE_BUILD)' --snapshot '$(PREVIEW_SNAPSHOT)' $(FLAGS) && echo '$(PREVIEW_SNAPSHOT)'
+	@$(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) --code '$(CODE_BUILD)' --snapshot '$(PREVIEW_SNAPSHOT)' $(STAGE_FLAGS) $(FLAGS) && echo '$(PREVIEW_SNAPSHOT)'

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #define BUSY_WAIT 0.008 // s, while something is on its way
 #define IDLE_WAIT 0.03  // s: as late as this a save is noticed
@@ -89,6 +90,18 @@ static void note_answer(Session *session)
            clock_seconds() - session->asked_at);
 }
 
+// Another scene, or other contents: who stands where its camera stood goes along with it.
+static void take_scene(App *app)
+{
+    Orbit home = view_default(app->session.scene).orbit;
+    if (memcmp(&app->view.orbit, &app->home, sizeof home) == 0 || app->stage != app->session.stage)
+        app->view.orbit = home;
+    app->home = home;
+    app->scene = app->session.scene;
+    app->stage = app->session.stage;
+    app->dirty = true;
+}
+
 // One turn of the loop.
 static void turn(App *app)
 {
@@ -100,6 +113,8 @@ static void turn(App *app)
     bool news = session_poll(&app->session);
     double now = clock_seconds();
     app->dirty = app->dirty || news;
+    if (app->scene != app->session.scene)
+        take_scene(app);
     if (news && app->session.answered && app->session.after_save) {
         // The answer is wanted soon: a fair part of its photons first, all of them in the next frame.
         app->moving = true;
@@ -124,6 +139,8 @@ static bool start(App *app, const Scene *scene, const PreviewOptions *options, B
 {
     app->scene = scene;
     app->view = options->view;
+    app->home = options->view.orbit;
+    app->stage = options->stage;
     app->view.scale = window_scale(app->window);
     glfw.glfwGetFramebufferSize(app->window, &app->width, &app->height);
     app->canvas = canvas_create(window_loader(), app->width, app->height, error);

@@ -4,19 +4,18 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
-#define NEXT_LOOK  0.4
-#define SCENE_LOOK 1.0
+#define NEXT_LOOK 0.4
 
 bool session_start(Session *session, const Scene *scene, const PreviewOptions *options, const View *view,
                    Broker *broker, Canvas *canvas, Error *error)
 {
-    *session = (Session){.options = options, .view = view, .broker = broker, .canvas = canvas};
+    *session = (Session){.options = options, .view = view, .broker = broker, .canvas = canvas, .scene = scene};
+    session->scene_path = options->scene_path;
     session->photons = options->photons;
     session->seed = options->seed;
-    session->integrator = options->integrator < 0 ? scene->settings.integrator : (Integrator)options->integrator;
-    session->radii = options->radii;
+    session->stage = options->stage;
+    session_choose_way(session);
     for (int i = 0; i < DATA_COUNT; i++)
         if (!(session->data[i] = view_data_create(canvas, scene)))
             return error_set(error, "not enough memory for the preview");
@@ -40,6 +39,8 @@ void session_end(Session *session)
             session_stop(&session->runs[kind][i]);
     for (int i = 0; i < DATA_COUNT; i++)
         view_data_free(session->data[i]);
+    broker_stop(session->own_broker);
+    scene_free(session->own_scene);
     judging_stop(session->judging);
     watch_stop(session->watch);
 }
@@ -73,8 +74,8 @@ static bool poll_watch(Session *session)
     if (!session->building)
         session->asked_at = clock_seconds();
     session->building = event == WATCH_BUILDING;
-    if (event == WATCH_BUILDING) // nothing to see: drawing would only take the compiler's time
-        return false;
+    if (event == WATCH_BUILDING) // else nothing to see: drawing would only take the compiler's time
+        return session_is_faulty(session);
     snprintf(session->build, sizeof session->build, "%s", watch_message(session->watch));
     if (event == WATCH_FAILED) {
         session->fault[0] = '\0'; // the same mistake after another save is told again
@@ -159,24 +160,6 @@ static bool poll_run(Session *session, RunKind kind, int player)
     return true;
 }
 
-// The scene is read once, and the workers hold it.
-static bool look_at_scene(Session *session)
-{
-    struct stat info;
-    double now = clock_seconds();
-    if (!session->watch || now - session->looked_at_scene < SCENE_LOOK ||
-        stat(session->options->scene_path, &info) != 0)
-        return false;
-    session->looked_at_scene = now;
-    long long before = session->scene_changed;
-    session->scene_changed = (long long)info.st_mtime;
-    if (before == 0 || before == session->scene_changed || session->scene_is_old)
-        return false;
-    session->scene_is_old = true;
-    printf("%s was changed; start the preview again to see it\n", session->options->scene_path);
-    return true;
-}
-
 // Whoever ended the helper: what was under way is asked for again, and what is shown stays.
 static bool look_at_helper(Session *session)
 {
@@ -187,7 +170,7 @@ static bool look_at_helper(Session *session)
         for (int i = 0; i < PLAYERS; i++)
             session_drop(session, (RunKind)kind, i);
     session_ask_photons(session);
-    if (session->runs[RUN_RENDER][YOURS])
+    if (session->rendering)
         session_render(session);
     return true;
 }
@@ -196,7 +179,7 @@ bool session_poll(Session *session)
 {
     bool news = look_at_helper(session);
     news |= poll_watch(session);
-    news |= look_at_scene(session);
+    news |= session_look_at_scene(session);
     news |= session_poll_judge(session);
     for (int i = 0; i < PLAYERS; i++)
         for (int kind = 0; kind < RUN_KINDS; kind++)

@@ -47,14 +47,20 @@ typedef struct {
     bool building;
     bool timed; // words may tell seconds; not in snapshots, which are the same every time
 
-    double looked_at_scene;  // clock_seconds()
-    long long scene_changed; // when its file was written, s; 0: not known
-    bool scene_is_old;       // it has been written since
+    const Scene *scene;
+    const char *scene_path;
+    int stage;              // that the scene is of; 0: of none
+    bool spectral;          // photons of single wavelengths
+    Scene *own_scene;       // the present one, where it is not that of the start,
+    Broker *own_broker;     // and its
+    double looked_at_scene; // clock_seconds()
+    uint64_t scene_seen;    // fingerprint of its files; 0: not known
 
-    char fault[600];   // of the last build or run of the student's code; "": none
-    char build[300];   // the last build, in words
-    char warning[300]; // what the compiler warned of in it; "": nothing
-    char notice[960];  // what right steps never do
+    char fault[600];        // of the last build or run of the student's code; "": none
+    char build[300];        // the last build, in words
+    char warning[300];      // what the compiler warned of in it; "": nothing
+    char scene_fault[1000]; // why its file cannot be read; "": it can
+    char notice[960];       // what right steps never do
 } Session;
 
 // Asks for the first photons at once, unless options->given are to be shown.
@@ -88,6 +94,12 @@ void session_wait(Session *session, double seconds);
 // What the view shows, as large as the canvas; where it is split, half of it, and the reference's beside.
 void session_render(Session *session);
 void session_stop_render(Session *session);
+void session_choose_way(Session *session); // as flags say, or else the scene and its stage
+// A scene's file that was written anew, or one of its meshes, is loaded anew. True: something to see.
+bool session_look_at_scene(Session *session);
+// What is looked at from now on. The scene of before stays where this one cannot be read.
+void session_load_scene(Session *session, const char *path);
+bool session_is_faulty(const Session *session); // something is said in the banner
 // NULL: there is none yet.
 const Image *session_image(const Session *session, int player);
 // Another way to make a picture.

@@ -30,7 +30,7 @@ RunRequest session_request(const Session *session, int player, RunKind kind)
         .code = player == YOURS ? options->code : NULL,
         .play_is_given = options->play_is_given,
         .play = options->play,
-        .spectral = options->spectral,
+        .spectral = session->spectral,
         .seed = session->seed,
         .photons = session->photons,
         .depth = options->depth,

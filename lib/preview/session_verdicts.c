@@ -76,6 +76,11 @@ void session_next_step(Session *session)
     if (!session->judging)
         return;
     choose_step(session, verdicts_next(&session->verdicts));
+    int stage = step_table[session->verdicts.present].stage;
+    if (session->stage > 0 && stage != session->stage) { // each has a scene in which its steps show
+        session->stage = stage;
+        session_load_scene(session, stage_scenes[stage - 1]);
+    }
     printf("the present step: %s/%s.c\n", session->options->source, step_table[session->verdicts.present].file);
 }
 

@@ -3,6 +3,7 @@
 #include "preview/record/rendered.h"
 #include "base/text.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,12 +22,27 @@ static bool list_steps(const Recording *recording, bool students, bool played, c
     return any;
 }
 
+static void describe_render(const Session *session, char *text, size_t size)
+{
+    const Run *render = session->runs[RUN_RENDER][YOURS];
+    int passes = 0;
+    if (render)
+        run_image(render, &passes);
+    snprintf(text, size, "rendered by %s%s%s: ", integrator_names[session->integrator],
+             session->spectral ? ", in wavelengths" : "",
+             session->radii == RADII_ALIKE     ? ""
+             : session->radii == RADII_BY_PASS ? ", radii shrink by pass"
+                                               : ", radii shrink by pixel");
+    if (passes > 0)
+        text_append(text, size, "%d pass%s", passes, passes == 1 ? "" : "es");
+    else
+        text_append(text, size, "a first look");
+}
+
 // The line at the bottom.
 static void list_status(const Session *session, char *text, size_t size)
 {
     const Recording *recording = view_data_recording(session_yours(session));
-    const Run *render = session->runs[RUN_RENDER][YOURS];
-    int passes = 0;
     text[0] = '\0';
     if (session->runs[RUN_PHOTONS][YOURS] && recording->emitted == 0)
         text_append(text, size, "the first photons are on their way");
@@ -35,12 +51,6 @@ static void list_status(const Session *session, char *text, size_t size)
                     recording->bounces);
     if (session->timed && recording->emitted > 0)
         text_append(text, size, ", %.2f s", recording->seconds);
-    if (render && run_image(render, &passes))
-        text_append(text, size, " | rendered (%s%s): %d pass%s", integrator_names[session->integrator],
-                    session->radii == RADII_ALIKE     ? ""
-                    : session->radii == RADII_BY_PASS ? ", radii by pass"
-                                                      : ", radii by pixel",
-                    passes, passes == 1 ? "" : "es");
     if (session->judging) { // the panel has the rest
         list_steps(recording, true, false, " | built, not played: ", text, size);
     } else if (session->options->code) {
@@ -57,12 +67,15 @@ static void list_status(const Session *session, char *text, size_t size)
         text_append(text, size, " | h: keys");
 }
 
-// What is wrong, a line each: the fault, what the compiler warned of, what right steps never do. "": nothing.
+bool session_is_faulty(const Session *session)
+{
+    return session->scene_fault[0] || session->fault[0] || session->warning[0] || session->notice[0];
+}
+
+// What is wrong, a line each: of the scene, the fault, what the compiler warned of, what right steps never do. "": nothing.
 static void list_faults(const Session *session, char *text, size_t size)
 {
-    const char *const scene =
-        session->scene_is_old ? "the scene's file was changed; start the preview again to see it" : "";
-    const char *const lines[] = {session->fault, session->warning, session->notice, scene};
+    const char *const lines[] = {session->scene_fault, session->fault, session->warning, session->notice};
     text[0] = '\0';
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         if (lines[i][0])
@@ -79,11 +92,14 @@ static Picture picture_of(const Session *session, int player)
 
 void session_draw(const Session *session, const View *view, const char *help)
 {
-    char status[700], banner[2000];
+    char status[700], banner[2000], rendered[200];
+    describe_render(session, rendered, sizeof rendered);
     list_status(session, status, sizeof status);
     list_faults(session, banner, sizeof banner);
     Captions captions = {.help = help,
                          .banner = banner,
+                         .banner_is_old = session->building,
+                         .rendered = rendered,
                          .verdicts = session->judging ? &session->verdicts : NULL,
                          .source = session->options->source};
     captions.status = session->options->given[YOURS] ? NULL : status;

@@ -64,7 +64,7 @@ void snapshot_command(const Session *session, char *text, size_t size)
     Vec3 p = orbit_camera(&view->orbit).position, t = view->orbit.target;
     text[0] = '\0';
     text_append(text, size, "build/photonlab preview %s --snapshot %s --size %dx%d --photons %ld --seed %llu",
-                options->scene_path, options->snapshot, canvas_width(session->canvas), canvas_height(session->canvas),
+                session->scene_path, options->snapshot, canvas_width(session->canvas), canvas_height(session->canvas),
                 session->photons, (unsigned long long)session->seed);
     text_append(text, size, " --camera %.5g,%.5g,%.5g,%.5g,%.5g,%.5g", (double)p.x, (double)p.y, (double)p.z,
                 (double)t.x, (double)t.y, (double)t.z);
@@ -84,7 +84,7 @@ void snapshot_command(const Session *session, char *text, size_t size)
         text_append(text, size, " --no-wireframe");
     if (options->code)
         text_append(text, size, " --code %s", options->code);
-    if (options->spectral)
+    if (session->spectral)
         text_append(text, size, " --spectral");
     append_render(session, text, size);
     if (options->play_is_given) {

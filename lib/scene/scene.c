@@ -18,6 +18,7 @@ void scene_free(Scene *scene)
     free(scene->spheres);
     free(scene->normals);
     bvh_free(scene->bvh);
+    free(scene->mesh_files);
     free(scene);
 }
 

@@ -50,6 +50,7 @@ typedef struct {
     Vec3 *normals; // corner normals of meshes that have them
     size_t normal_count;
     Bvh *bvh;
+    char *mesh_files; // their paths, a line each; NULL: there are none
 } Scene;
 
 // Where a ray meets the scene.

@@ -23,6 +23,11 @@ const StepInfo step_table[STEP_COUNT] = {
 #include "steps/steps.def"
 };
 
+#define STAGE(number, scene) scene,
+const char *const stage_scenes[STAGE_COUNT] = {
+#include "steps/steps.def"
+};
+
 const StepInfo *step_find(const char *id)
 {
     for (size_t i = 0; i < STEP_COUNT; i++)

@@ -51,6 +51,7 @@ enum {
     STAGE_COUNT
 };
 extern const StepInfo step_table[STEP_COUNT];
+extern const char *const stage_scenes[STAGE_COUNT]; // that show a stage, from stage 1 on
 
 // The step of this id; NULL: there is none.
 const StepInfo *step_find(const char *id);

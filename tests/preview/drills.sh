@@ -63,8 +63,28 @@ check_drills() {
     mend "half a direction"
     flood
     not_played
-    echo '# another' >>"$work/box_diffuse.yaml"
-    told "a scene that is edited" 'box_diffuse.yaml was changed; start the preview again'
+    edited_scene
+}
+
+# A scene and its mesh are loaded anew when they change; what cannot be read is told, and the last good one stays.
+edited_scene() {
+    local scene=$work/box_diffuse.yaml anew='photons stored .* after the change of the scene'
+    printf 'v 0 -1 0\nv 0.4 -1 0\nv 0 -0.3 0.2\nf 1 2 3\n' >"$work/corner.obj"
+    picture_now before
+    cp "$scene" "$work/saved.yaml"
+    sed '/centre: \[0.40/c\  - {type: mesh, material: red, file: corner.obj}' "$work/saved.yaml" >"$scene"
+    told "a scene that is edited" "$anew"
+    picture_now after
+    other "… is shown" before.png after.png
+    echo '  - {type: sphere, material: nothing}' >>"$scene"
+    told "a mistake in the scene" 'box_diffuse\.yaml:[0-9]+:[0-9]+: .*centre'
+    picture_now wrong && photons_in wrong && good "… leaves the last good one" || bad "a mistake in the scene: no photons are left"
+    sed '/centre: \[0.40/c\  - {type: mesh, material: red, file: corner.obj}' "$work/saved.yaml" >"$scene"
+    told "the scene is mended" "$anew" 12 1
+    echo 'f 1 3 2' >>"$work/corner.obj"
+    told "a mesh that is edited" "$anew" 12 2
+    cp "$work/saved.yaml" "$scene"
+    told "the scene as it was" "$anew" 12 3
 }
 
 # With 3.4 written, the loop of 1.5 does not play: a save of it changes nothing, and that is said.

@@ -69,6 +69,9 @@ check_keys() {
     differs "space: slow light" key space
     key space
     differs "p: renders" eval 'key p; wait_for 15 looks_other'
+    differs "drag: the picture turns with it" eval 'drag 1 60 20; wait_for 15 looks_other'
+    differs ". : brighter" key period
+    differs ", : darker" key comma
     differs "i: gathers" eval 'key i; wait_for 15 looks_other'
     wait_for 15 eval 'picture_now after && grep -q -- "--render [0-9]* --integrator gather" "$log"' && good "s: tells how it was rendered" || bad "s: does not tell how it was rendered"
     differs "i: by passes" eval 'key i; wait_for 15 looks_other'

@@ -15,7 +15,7 @@ check_verdicts() {
     begin 1.3_scatter_diffuse.c
     xprop -root -format RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
     window_start "$work/box_diffuse.yaml" --photons 2000 --size 600x400 \
-        --judge "$1/judge --build '$1' --work '$work/verdicts' --code '$student' --jobs 1 --lines --step \"\$1\" 2>&1"
+        --judge "$1/judge --build '$1' --work '$work/verdicts' --code '$student' --jobs 1 --lines --step \"\$1\" 2>&1" --stage 1
     told "what was there at the start is judged" 'judged: 1\.3 ✓' 60
     sed 's/-2.0f \* /-/; s/2.0f \* //' solutions/$reflect | save $reflect
     told "a save is judged" 'judged: 1\.1 ✗ .*expected' 30

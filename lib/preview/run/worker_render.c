@@ -52,6 +52,8 @@ static bool render_pass(Worker *worker, uint64_t pass, int side, Error *error)
         worker_options(worker, (request->width + side - 1) / side, (request->height + side - 1) / side);
     // The first pass is the picture that `photonlab render --samples 1 --seed S` gives.
     options.seed = pass == 0 ? request->seed : hash_u64(request->seed + pass);
+    if (side == COARSE && options.integrator == INTEGRATOR_GATHER) // the first is wanted soon
+        options.integrator = INTEGRATOR_PHOTONS;
     options.settings.photons = side > 1 ? options.settings.photons / side + 1 : options.settings.photons;
     Image image = {0, 0, NULL};
     RenderStats stats;

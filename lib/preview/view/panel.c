@@ -159,7 +159,10 @@ void panel_draw(Canvas *canvas, const View *view, const ViewData *yours, const C
     if (captions->verdicts)
         write_steps(&column, captions);
     char text[1024] = "";
-    view_type(view)->describe(view, yours, text, sizeof text);
+    if (captions->pictures[0].rgba)
+        text_append(text, sizeof text, "%s", captions->rendered);
+    else
+        view_type(view)->describe(view, yours, text, sizeof text);
     write_words(&column, COLOUR_OF_TEXT, (Rgba){0, 0, 0, 0}, 9, text);
     leave_space(&column);
     if (!captions->pictures[0].rgba)

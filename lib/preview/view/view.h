@@ -134,6 +134,7 @@ typedef struct {
     const Verdicts *verdicts; // NULL: nobody judges
     const char *source;       // the folder of the steps' files
     const char *help;         // lines of keys; shown when view->help
+    const char *rendered;     // about the pictures
     Picture pictures[2];      // in place of the photons, yours and the reference's
 } Captions;
 

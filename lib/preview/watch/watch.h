@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "steps/steps.h"
 
+#include <stdint.h>
+
 typedef struct Watch Watch;
 
 typedef enum {
@@ -33,6 +35,9 @@ void watch_wait(Watch *watch, double seconds);
 const char *watch_message(const Watch *watch);
 // The compiler's first warning in a build that succeeded, such as a forgotten return; "" if there was none.
 const char *watch_warning(const Watch *watch);
+
+// What tells one state of a file from the next, and of those in the sum. 0: an empty sum, and no such file.
+uint64_t watch_fingerprint(uint64_t sum, const char *path);
 
 // The step that was built last.
 const StepInfo *watch_step(const Watch *watch);

@@ -34,9 +34,6 @@ void watch_path(char path[4096], const char *folder, size_t step, const char *en
 uint64_t watch_headers(const Watch *watch, size_t step);
 void watch_mark(Watch *watch, size_t step); // its file was saved, or may have been
 
-// What tells one state of a file from the next, and of those in the sum. 0: an empty sum, and no such file.
-uint64_t watch_fingerprint(uint64_t sum, const char *path);
-
 // By inotify; without it the first two do nothing, and times have to do.
 void watch_start_listening(Watch *watch);
 void watch_take_changes(Watch *watch);

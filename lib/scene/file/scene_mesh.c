@@ -85,6 +85,18 @@ static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMe
     return true;
 }
 
+static bool note_file(SceneBuilder *builder, const char *path)
+{
+    Scene *scene = builder->scene;
+    size_t length = scene->mesh_files ? strlen(scene->mesh_files) : 0;
+    char *files = realloc(scene->mesh_files, length + strlen(path) + 2);
+    if (!files)
+        return scene_out_of_memory(&builder->file);
+    sprintf(files + length, "%s\n", path);
+    scene->mesh_files = files;
+    return true;
+}
+
 bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
 {
     if (!builder->folder)
@@ -100,7 +112,7 @@ bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t materia
     ObjMesh mesh;
     ObjNames names = {scene_material_name, builder, builder->file.name};
     bool fine = obj_read_text(text, size, path, &names, &mesh, builder->file.error) && place_mesh(entry, &mesh) &&
-                add_mesh(builder, entry, &mesh, material);
+                add_mesh(builder, entry, &mesh, material) && note_file(builder, path);
     obj_free(&mesh);
     free(text);
     return fine;

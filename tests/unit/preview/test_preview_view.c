@@ -206,6 +206,22 @@ TEST(every_view_is_whole_and_listed)
     closedir(folder);
 }
 
+// In the panel's corner: the plate behind a fault is red, and grey while the next build runs.
+static void check_plate(Canvas *canvas, const View *view, ViewData *data, Captions *captions)
+{
+    size_t at = 4 * (6 * (size_t)canvas_width(canvas) + (size_t)view_area(canvas, view).width + 2);
+    uint8_t *bytes = malloc(4 * (size_t)canvas_width(canvas) * (size_t)canvas_height(canvas));
+    assert_non_null(bytes);
+    for (int old = 0; old < 2; old++) {
+        captions->banner_is_old = old;
+        view_draw(canvas, view, data, NULL, captions);
+        canvas_read(canvas, bytes);
+        int redder = bytes[at] - bytes[at + 2];
+        assert_true(old ? abs(redder) < 20 && bytes[at] > 40 : redder > 60);
+    }
+    free(bytes);
+}
+
 // Every view at the smallest size; points as bright whether a tenth or all of them is drawn.
 TEST(every_view_draws)
 {
@@ -241,6 +257,7 @@ TEST(every_view_draws)
     view.flight = -1;
     view.panel = 20;
     captions.banner = "1.3_scatter_diffuse.c:14: scatter_diffuse: segmentation fault, wrapped because it is long";
+    check_plate(canvas, &view, data, &captions);
     view.wireframe = view.split = view.help = true;
     for (int kind = 0; kind < VIEW_COUNT; kind++)
         for (int colour = 0; colour < COLOUR_COUNT; colour++) {

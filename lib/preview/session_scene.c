@@ -1,0 +1,106 @@
+// The scene: loaded anew when its files change, and another one for another stage.
+#include "preview/session.h"
+#include "base/parallel.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SCENE_LOOK 0.7 // s
+
+static uint64_t fingerprint(const Session *session)
+{
+    uint64_t sum = watch_fingerprint(0, session->scene_path);
+    char *files = session->scene->mesh_files ? strdup(session->scene->mesh_files) : NULL, *rest = NULL;
+    for (char *file = files ? strtok_r(files, "\n", &rest) : NULL; file; file = strtok_r(NULL, "\n", &rest))
+        sum = watch_fingerprint(sum, file);
+    free(files);
+    return sum;
+}
+
+void session_choose_way(Session *session)
+{
+    const PreviewOptions *options = session->options;
+    Integrator own = session->stage == 4 ? INTEGRATOR_GATHER : session->scene->settings.integrator;
+    session->integrator = options->integrator < 0 ? own : (Integrator)options->integrator;
+    session->radii = session->stage == 5 && options->radii == RADII_ALIKE ? RADII_BY_PASS : options->radii;
+    session->spectral = options->spectral || session->stage == 6;
+}
+
+// The same mistake is told once.
+static bool refuse(Session *session, const char *why)
+{
+    if (strcmp(session->scene_fault, why) == 0)
+        return false;
+    snprintf(session->scene_fault, sizeof session->scene_fault, "%s", why);
+    puts(session->scene_fault);
+    return true;
+}
+
+// All that was made of the old one goes. False: memory is short, and nothing has changed.
+static bool put_in_place(Session *session, Scene *scene, Broker *broker)
+{
+    ViewData *data[DATA_COUNT];
+    for (int i = 0; i < DATA_COUNT; i++)
+        if (!(data[i] = view_data_create(session->canvas, scene))) {
+            while (i-- > 0)
+                view_data_free(data[i]);
+            return false;
+        }
+    for (int i = 0; i < DATA_COUNT; i++) {
+        view_data_free(session->data[i]);
+        session->data[i] = data[i];
+    }
+    broker_stop(session->own_broker);
+    scene_free(session->own_scene);
+    session->scene = session->own_scene = scene;
+    session->broker = session->own_broker = broker;
+    return true;
+}
+
+static bool take_scene(Session *session)
+{
+    Error error = {""};
+    Scene *scene = scene_load(session->scene_path, &error);
+    if (!scene)
+        return refuse(session, error.message);
+    for (int kind = 0; kind < RUN_KINDS; kind++)
+        for (int i = 0; i < PLAYERS; i++) // before the fork, which would keep their pipes
+            session_drop(session, (RunKind)kind, i);
+    Broker *broker = broker_start(scene, session->options->source, &error);
+    if (!broker || !put_in_place(session, scene, broker)) {
+        broker_stop(broker);
+        scene_free(scene);
+        return refuse(session, broker ? "not enough memory for the scene" : error.message);
+    }
+    session->scene_fault[0] = session->notice[0] = '\0';
+    session_choose_way(session);
+    session->scene_seen = fingerprint(session);
+    session_ask_photons(session);
+    session->asked_by = "change of the scene";
+    if (session->rendering)
+        session_render(session);
+    return true;
+}
+
+void session_load_scene(Session *session, const char *path)
+{
+    const char *before = session->scene_path;
+    session->scene_path = path;
+    take_scene(session);
+    if (session->scene_fault[0])
+        session->scene_path = before;
+}
+
+bool session_look_at_scene(Session *session)
+{
+    double now = clock_seconds();
+    if (!session->watch || now - session->looked_at_scene < SCENE_LOOK)
+        return false;
+    session->looked_at_scene = now;
+    uint64_t seen = fingerprint(session);
+    bool changed = session->scene_seen != 0 && seen != session->scene_seen;
+    session->scene_seen = seen;
+    // What cannot be read is tried again: a mesh that it names may come.
+    return (changed || session->scene_fault[0]) && take_scene(session);
+}
