@@ -208,7 +208,7 @@ bool bvh_build_tree(Reference *references, size_t count, Tree *tree, Run **runs)
     OMP(omp parallel if (count > TASK_COUNT))
     OMP(omp single)
     build_range(&builder, all, 0);
-    bool done = bvh_collapse(builder.splits, tree, runs);
+    bool done = bvh_collapse(builder.splits, 2 * count, tree, runs);
     free(builder.splits);
     return done;
 }

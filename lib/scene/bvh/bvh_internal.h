@@ -100,6 +100,6 @@ void *bvh_allocate(size_t bytes);
 bool bvh_build_tree(Reference *references, size_t count, Tree *tree, Run **runs);
 
 // What bvh_build_tree ends with: makes nodes of up to eight children from the binary tree.
-bool bvh_collapse(const Split *splits, Tree *tree, Run **runs);
+bool bvh_collapse(const Split *splits, size_t count, Tree *tree, Run **runs);
 
 #endif
