@@ -16,7 +16,7 @@
 void *bvh_allocate(size_t bytes)
 {
     void *memory = NULL;
-    size_t alignment = bytes < LARGE_PAGE ? 64 : LARGE_PAGE;
+    size_t alignment = bytes < LARGE_PAGE ? CACHE_LINE : LARGE_PAGE;
     if (posix_memalign(&memory, alignment, bytes + (bytes == 0)))
         return NULL;
 #ifdef MADV_HUGEPAGE
@@ -40,15 +40,6 @@ static Reference reference_create(Box box, size_t id)
     return r;
 }
 
-// All flats or all spheres.
-typedef struct Shapes {
-    const void *items;
-    size_t count, first_id; // their numbers as primitives
-    Box (*box)(const void *items, size_t i);
-    void (*pack)(const struct Shapes *shapes, const Reference *references, Run run, void *packet);
-    size_t packet_size;
-} Shapes;
-
 static Box flat_box(const void *flats, size_t i)
 {
     const Flat *flat = (const Flat *)flats + i;
@@ -69,12 +60,12 @@ static Box sphere_box(const void *spheres, size_t i)
     return (Box){vec3_sub(sphere->centre, radius), vec3_add(sphere->centre, radius)};
 }
 
-static void pack_flats(const Shapes *shapes, const Reference *references, Run run, void *packet)
+static void pack_flats(const Shapes *shapes, const Reference *references, uint32_t count, void *packet)
 {
     FlatPacket *to = packet;
     *to = (FlatPacket){.id = {TRIANGLE - 1, TRIANGLE - 1, TRIANGLE - 1, TRIANGLE - 1}};
-    for (uint32_t lane = 0; lane < run.count; lane++) {
-        uint32_t id = reference_id(&references[run.first + lane]);
+    for (uint32_t lane = 0; lane < count; lane++) {
+        uint32_t id = reference_id(&references[lane]);
         const Flat *flat = (const Flat *)shapes->items + id;
         for (int axis = 0; axis < 3; axis++) {
             to->origin[axis][lane] = vec3_component(flat->origin, axis);
@@ -85,12 +76,12 @@ static void pack_flats(const Shapes *shapes, const Reference *references, Run ru
     }
 }
 
-static void pack_spheres(const Shapes *shapes, const Reference *references, Run run, void *packet)
+static void pack_spheres(const Shapes *shapes, const Reference *references, uint32_t count, void *packet)
 {
     SpherePacket *to = packet;
     *to = (SpherePacket){.radius2 = {-1.0f, -1.0f, -1.0f, -1.0f}, .id = {TRIANGLE, TRIANGLE, TRIANGLE, TRIANGLE}};
-    for (uint32_t lane = 0; lane < run.count; lane++) {
-        uint32_t index = reference_id(&references[run.first + lane]);
+    for (uint32_t lane = 0; lane < count; lane++) {
+        uint32_t index = reference_id(&references[lane]);
         const Sphere *sphere = (const Sphere *)shapes->items + index;
         for (int axis = 0; axis < 3; axis++)
             to->centre[axis][lane] = vec3_component(sphere->centre, axis);
@@ -99,27 +90,19 @@ static void pack_spheres(const Shapes *shapes, const Reference *references, Run 
     }
 }
 
-// The tree over the shapes, and its packets, which the caller owns. False when memory is short.
+// The tree over the shapes, whose memory the caller owns. False when memory is short.
 static bool build_tree(const Shapes *shapes, Tree *tree)
 {
+    *tree = (Tree){.root = NO_CHILD, .packet_places = (uint32_t)(shapes->packet_size / PLACE)};
     Reference *references = bvh_allocate(shapes->count * sizeof *references);
-    Run *runs = NULL;
-    if (references) {
-        OMP(omp parallel for schedule(static) if (shapes->count > TASK_COUNT))
-        for (size_t i = 0; i < shapes->count; i++)
-            references[i] = reference_create(shapes->box(shapes->items, i), i);
-    }
-    if (references && bvh_build_tree(references, shapes->count, tree, &runs))
-        tree->packets = bvh_allocate(tree->packet_count * shapes->packet_size);
-    if (tree->packets) {
-        OMP(omp parallel for schedule(static) if (shapes->count > TASK_COUNT))
-        for (uint32_t i = 0; i < tree->packet_count; i++)
-            shapes->pack(shapes, references, runs[i], tree->packets + i * shapes->packet_size);
-    }
-    tree->packet_size = shapes->packet_size;
-    free(runs);
+    if (!references)
+        return false;
+    OMP(omp parallel for schedule(static) if (shapes->count > TASK_COUNT))
+    for (size_t i = 0; i < shapes->count; i++)
+        references[i] = reference_create(shapes->box(shapes->items, i), i);
+    bool done = bvh_build_tree(shapes, references, tree);
     free(references);
-    return tree->packets != NULL;
+    return done;
 }
 
 static void add_bounds(Box *box, const Shapes *shapes)
@@ -151,10 +134,8 @@ void bvh_free(Bvh *bvh)
 {
     if (!bvh)
         return;
-    free(bvh->flats.nodes);
-    free(bvh->spheres.nodes);
-    free(bvh->flats.packets);
-    free(bvh->spheres.packets);
+    free(bvh->flats.memory);
+    free(bvh->spheres.memory);
     free(bvh);
 }
 

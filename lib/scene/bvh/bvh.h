@@ -26,7 +26,8 @@ void bvh_free(Bvh *bvh);
 //
 // The closest hit with t_min < t < t_max (t_min ≥ 0), both sides of every surface; the direction need not be of unit
 // length. The primitive ray.from is not hit where the ray starts: a flat not at all, a sphere only on its far side
-// (when the ray goes inside). *hit means nothing where there is none.
+// (when the ray goes inside). *hit means nothing where there is none. Of hits at the very same distance, among more than 16 flats
+// or spheres, that on the primitive with the highest number.
 bool bvh_closest(const Bvh *bvh, const Ray *ray, float t_min, float t_max, BvhHit *hit);
 
 // Is there any hit with t_min < t < t_max, other than on primitive `except` (NO_PRIMITIVE: none excepted)?

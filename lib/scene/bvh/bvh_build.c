@@ -9,8 +9,7 @@
 #include <stdlib.h>
 
 #define BINS        16
-#define DEPTH_LIMIT 60   // below this depth ranges are halved by number, which adds 32 levels at most
-#define STEP_COST   0.4f // time to test a node's boxes, where testing a packet takes 1
+#define DEPTH_LIMIT 60 // below this depth ranges are halved by number, which adds 32 levels at most
 
 typedef struct {
     Float4 low, high; // lane 3 is not used
@@ -160,26 +159,18 @@ static void halve(const Reference *references, const Range *range, Range *left, 
         range_add(i < right->first ? left : right, &references[i]);
 }
 
-static bool range_is_leaf(const Range *range, const Cut *cut)
-{
-    uint32_t packets = packets_of(range->count);
-    float area = box4_half_area(&range->box);
-    return packets <= LEAF_MAX_PACKETS && (float)packets * area <= cut->cost + STEP_COST * area;
-}
-
 static void build_range(const Builder *builder, Range range, uint32_t node)
 {
     Split *split = &builder->splits[node];
     *split = (Split){.low = {range.box.low[0], range.box.low[1], range.box.low[2]},
                      .first = range.first,
                      .high = {range.box.high[0], range.box.high[1], range.box.high[2]},
-                     .count = range.count};
+                     .count = range.count,
+                     .packets = packets_of(range.count)};
     bool is_small_scene = range.depth == 0 && range.count <= SMALL_SCENE;
     if (range.count <= PACKET || is_small_scene)
         return;
     Cut cut = cut_find(builder->references, &range);
-    if (range_is_leaf(&range, &cut))
-        return;
     Range left = {.first = range.first, .box = box4_empty(), .centroids = box4_empty(), .depth = range.depth + 1};
     Range right = left;
     if (range.depth < DEPTH_LIMIT && cut.cost < INFINITY)
@@ -192,23 +183,23 @@ static void build_range(const Builder *builder, Range range, uint32_t node)
     build_range(builder, left, node + 1);
     build_range(builder, right, split->first);
     OMP(omp taskwait)
+    bvh_plan(builder->splits, node);
 }
 
-bool bvh_build_tree(Reference *references, size_t count, Tree *tree, Run **runs)
+bool bvh_build_tree(const Shapes *shapes, Reference *references, Tree *tree)
 {
-    *tree = (Tree){.root = NO_CHILD};
-    if (count == 0)
+    if (shapes->count == 0)
         return true;
-    Builder builder = {references, bvh_allocate(2 * count * sizeof *builder.splits)};
+    Builder builder = {references, bvh_allocate(2 * shapes->count * sizeof *builder.splits)};
     if (!builder.splits)
         return false;
     Range all = {.box = box4_empty(), .centroids = box4_empty()};
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < shapes->count; i++)
         range_add(&all, &references[i]);
-    OMP(omp parallel if (count > TASK_COUNT))
+    OMP(omp parallel if (shapes->count > TASK_COUNT))
     OMP(omp single)
     build_range(&builder, all, 0);
-    bool done = bvh_collapse(builder.splits, 2 * count, tree, runs);
+    bool done = bvh_collapse(shapes, references, builder.splits, tree);
     free(builder.splits);
     return done;
 }

@@ -1,120 +1,146 @@
-// From the binary tree to nodes of eight children, chosen so that rays meet as few nodes as they can: those whose areas have
-// the least sum (by dynamic programming, as Ylitie, Karras & Laine 2017). The nodes are laid out in the order in which a ray that
-// always takes the first child meets them, so that near relatives lie in near memory.
+// From the binary tree to nodes of eight children, chosen so that rays meet as few nodes as they can: the sum of all nodes' areas
+// is the least that there is (by dynamic programming, as in Ylitie, Karras & Laine 2017). A node's children lie side by side, and
+// what is below the first of them before what is below the second, so that near relatives lie in near memory.
 #include "scene/bvh/bvh_internal.h"
 
-#include <stdlib.h>
+#include <float.h>
 
-// cost[s − 1]: the least area of all nodes that the subtree needs where it may take s of its parent's places.
-typedef struct {
-    float cost[WIDTH - 1];
-} Plan;
+#define STEP_SLACK 0x1p-10f // a child's box is so many steps larger than need be: the traversal rounds
 
 typedef struct {
+    const Shapes *shapes;
+    const Reference *references;
     const Split *splits;
-    Plan *plans; // one for each split
     Tree *tree;
-    Run *runs;
-    uint32_t leaf_count;
 } Collapse;
 
-static float half_area(const Split *split)
-{
-    float d[3] = {split->high[0] - split->low[0], split->high[1] - split->low[1], split->high[2] - split->low[2]};
-    return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
-}
-
 // How many of `places` the left child gets where both children together cost least; *cost is what they cost then.
-static int share_places(const Collapse *collapse, uint32_t node, int places, float *cost)
+static int share_places(const Split *splits, uint32_t node, int places, float *cost)
 {
-    const float *left = collapse->plans[node + 1].cost, *right = collapse->plans[collapse->splits[node].first].cost;
-    int best = 1;
-    for (int i = 1; i < places; i++)
-        if (left[i - 1] + right[places - i - 1] < left[best - 1] + right[places - best - 1])
+    const float *left = splits[node + 1].cost, *right = splits[splits[node].first].cost;
+    int best = 0;
+    *cost = INFINITY;
+    for (int i = 1; i < places; i++) {
+        float sum = left[i - 1] + right[places - i - 1];
+        if (sum < *cost) {
+            *cost = sum;
             best = i;
-    *cost = left[best - 1] + right[places - best - 1];
+        }
+    }
     return best;
 }
 
-static void make_plan(Collapse *collapse, uint32_t node)
+void bvh_plan(Split *splits, uint32_t node)
 {
-    const Split *split = &collapse->splits[node];
-    Plan *plan = &collapse->plans[node];
+    Split *split = &splits[node];
+    split->packets = splits[node + 1].packets + splits[split->first].packets;
+    float d[3], below;
+    for (int axis = 0; axis < 3; axis++)
+        d[axis] = split->high[axis] - split->low[axis];
+    share_places(splits, node, WIDTH, &below);
+    float own = below + d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+    for (int places = 1; places < WIDTH; places++) {
+        share_places(splits, node, places, &below);
+        split->cost[places - 1] = below < own ? below : own;
+    }
+}
+
+typedef struct {
+    uint32_t nodes[WIDTH], leaves[WIDTH]; // in the binary tree
+    uint32_t node_count, leaf_count;
+} Children;
+
+// Adds what the subtree contributes to its parent, in at most `places`, as planned.
+static void choose(const Split *splits, uint32_t node, int places, Children *children)
+{
+    const Split *split = &splits[node];
     if (split->count != INNER) {
-        collapse->leaf_count++;
-        collapse->tree->packet_count += packets_of(split->count);
-        *plan = (Plan){{0}};
-        return;
-    }
-    make_plan(collapse, node + 1);
-    make_plan(collapse, split->first);
-    share_places(collapse, node, WIDTH, &plan->cost[0]);
-    plan->cost[0] += half_area(split);
-    for (int i = 1; i < WIDTH - 1; i++) {
-        share_places(collapse, node, i + 1, &plan->cost[i]);
-        plan->cost[i] = fminf(plan->cost[i], plan->cost[i - 1]);
+        children->leaves[children->leaf_count++] = node;
+    } else if (places < WIDTH && split->cost[places - 1] == split->cost[0]) {
+        children->nodes[children->node_count++] = node;
+    } else {
+        float cost;
+        int left = share_places(splits, node, places, &cost);
+        choose(splits, node + 1, left, children);
+        choose(splits, split->first, places - left, children);
     }
 }
 
-static uint32_t emit_leaf(Collapse *collapse, const Split *split)
+// A little lower than `low`, with the exponent of the shortest step of which 254 reach `high`: rounding takes one more.
+static float frame(float low, float high)
 {
-    uint32_t packets = packets_of(split->count);
-    uint32_t first = collapse->tree->packet_count;
-    for (uint32_t i = 0; i < packets; i++) {
-        uint32_t taken = i * PACKET;
-        uint32_t rest = split->count - taken;
-        collapse->runs[first + i] = (Run){split->first + taken, rest < PACKET ? rest : PACKET};
-    }
-    collapse->tree->packet_count += packets;
-    return LEAF | (packets - 1) << 28 | first;
+    float margin = fabsf(low) * 0x1p-14f;
+    uint32_t exponent = (float_bits((high - low + 2.0f * margin) / 254.0f + FLT_MIN) + 0x7fffff) >> 23;
+    return bits_float((float_bits(low - margin) & ~0xffu) | exponent);
 }
 
-// The children that the subtree contributes to its parent, in at most `places`, as planned.
-static int choose(const Collapse *collapse, uint32_t node, int places, uint32_t *children)
+static void set_bounds(Node *wide, const Split *splits, const uint32_t *children)
 {
-    const float *cost = collapse->plans[node].cost;
-    if (places < WIDTH && cost[places - 1] == cost[0]) {
-        children[0] = node;
-        return 1;
-    }
-    float unused;
-    int left = share_places(collapse, node, places, &unused);
-    int count = choose(collapse, node + 1, left, children);
-    return count + choose(collapse, collapse->splits[node].first, places - left, children + count);
-}
-
-static uint32_t emit(Collapse *collapse, uint32_t node)
-{
-    const Split *splits = collapse->splits;
-    if (splits[node].count != INNER)
-        return emit_leaf(collapse, &splits[node]);
-    uint32_t children[WIDTH];
-    int count = choose(collapse, node, WIDTH, children);
-    uint32_t index = collapse->tree->node_count++;
-    Node *wide = &collapse->tree->nodes[index];
-    for (int i = 0; i < WIDTH; i++) {
-        const Split *child = i < count ? &splits[children[i]] : NULL;
-        for (int axis = 0; axis < 3; axis++) {
-            wide->bounds[axis][i] = child ? child->low[axis] : INFINITY;
-            wide->bounds[axis + 3][i] = child ? child->high[axis] : -INFINITY;
+    for (int axis = 0; axis < 3; axis++) {
+        float low = INFINITY, high = -INFINITY;
+        for (uint32_t i = 0; i <= wide->last_child; i++) {
+            low = fminf(low, splits[children[i]].low[axis]);
+            high = fmaxf(high, splits[children[i]].high[axis]);
+        }
+        low = wide->low[axis] = frame(low, high);
+        float step = bits_float((float_bits(low) & 0xffu) << 23);
+        for (uint32_t i = 0; i <= wide->last_child; i++) {
+            const Split *child = &splits[children[i]];
+            wide->bounds[2 * axis][i] = (uint8_t)fmaxf(0.0f, floorf((child->low[axis] - low) / step - STEP_SLACK));
+            wide->bounds[2 * axis + 1][i] = (uint8_t)ceilf((child->high[axis] - low) / step + STEP_SLACK);
         }
     }
-    for (int i = 0; i < WIDTH; i++)
-        wide->child[i] = i < count ? emit(collapse, children[i]) : NO_CHILD;
-    return index;
 }
 
-bool bvh_collapse(const Split *splits, size_t count, Tree *tree, Run **runs)
+static void emit_leaf(const Collapse *collapse, const Split *split, uint32_t place)
 {
-    Collapse collapse = {splits, bvh_allocate(count * sizeof(Plan)), tree, NULL, 0};
-    if (!collapse.plans)
+    Tree *tree = collapse->tree;
+    for (uint32_t taken = 0; taken < split->count; taken += PACKET, place += tree->packet_places) {
+        uint32_t rest = split->count - taken;
+        collapse->shapes->pack(collapse->shapes, &collapse->references[split->first + taken],
+                               rest < PACKET ? rest : PACKET, tree_at(tree, place));
+        tree->packet_count++;
+    }
+}
+
+static void emit(const Collapse *collapse, uint32_t node, uint32_t place)
+{
+    Tree *tree = collapse->tree;
+    Children children = {.node_count = 0};
+    choose(collapse->splits, node, WIDTH, &children);
+    uint32_t count = children.node_count + children.leaf_count;
+    memcpy(children.nodes + children.node_count, children.leaves, children.leaf_count * sizeof *children.leaves);
+
+    uint32_t middle = tree->end + children.node_count * LINE_PLACES;
+    tree->end = middle + (children.leaf_count * tree->packet_places + LINE_PLACES - 1) / LINE_PLACES * LINE_PLACES;
+    Node *wide = tree_at(tree, place);
+    *wide = (Node){.children = middle / LINE_PLACES, .node_count = children.node_count, .last_child = count - 1};
+    set_bounds(wide, collapse->splits, children.nodes);
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t child = node_child(tree, wide, i);
+        if (child & LEAF)
+            emit_leaf(collapse, &collapse->splits[children.nodes[i]], child);
+        else
+            emit(collapse, children.nodes[i], child);
+    }
+}
+
+bool bvh_collapse(const Shapes *shapes, const Reference *references, const Split *splits, Tree *tree)
+{
+    const Collapse collapse = {shapes, references, splits, tree};
+    for (uint32_t i = 0; i < WIDTH; i++) {
+        tree->offset[i] = (i - WIDTH) * LINE_PLACES;
+        tree->offset[WIDTH + i] = LEAF | i * tree->packet_places;
+    }
+    // A node has two children at least, and less than a line is left behind its packets.
+    size_t lines = splits[0].packets * (2 + shapes->packet_size / (double)CACHE_LINE) + 1;
+    if (lines >= MOST_LINES || !(tree->memory = bvh_allocate(lines * CACHE_LINE)))
         return false;
-    make_plan(&collapse, 0);
-    tree->nodes = bvh_allocate(collapse.leaf_count * sizeof(Node)); // each has two children at least
-    *runs = collapse.runs = malloc(tree->packet_count * sizeof **runs);
-    tree->packet_count = 0;
-    if (*runs && tree->nodes)
-        tree->root = emit(&collapse, 0);
-    free(collapse.plans);
-    return tree->root != NO_CHILD;
+    tree->end = LINE_PLACES;
+    tree->root = splits[0].count == INNER ? 0 : LEAF;
+    if (tree->root & LEAF)
+        emit_leaf(&collapse, &splits[0], 0);
+    else
+        emit(&collapse, 0, 0);
+    return true;
 }

@@ -1,8 +1,9 @@
 // Inside of the bounding volume hierarchy; for bvh*.c only.
 //
-// Two trees stand side by side, one over the flats and one over the spheres. A node has up to eight children,
-// whose boxes lie lane by lane so that a few instructions test them all. A leaf is a run of packets of four
-// primitives, laid out the same way. A small scene is one leaf and no node at all.
+// Two trees stand side by side, one over the flats and one over the spheres. A node has up to eight children, whose boxes lie
+// lane by lane so that a few instructions test them all. A leaf is a packet of four primitives, laid out the same way. Rays wait
+// for memory most of the time, so that a node is one line of the cache, its boxes rounded outwards to bytes (as in Ylitie, Karras
+// & Laine 2017), and its children lie side by side. A small scene is a few packets and no node at all.
 #ifndef PHOTONLAB_SCENE_BVH_INTERNAL_H
 #define PHOTONLAB_SCENE_BVH_INTERNAL_H
 
@@ -18,20 +19,24 @@
 // share an edge. With 1e-6, a few of a million rays still do on a mesh of a million triangles.
 #define EDGE_SLACK 1e-5f
 
-// Where a child is: the index of a node, or LEAF | (packets − 1) << 28 | index of the first packet.
-#define LEAF             0x80000000u
-#define FIRST_PACKET     0x0fffffffu
-#define LEAF_MAX_PACKETS 8
-#define NO_CHILD         UINT32_MAX
+// Where a child is: a place in the tree's memory, with LEAF if it is a packet.
+#define LEAF        0x80000000u
+#define NO_CHILD    UINT32_MAX
+#define PLACE       16 // bytes
+#define CACHE_LINE  64
+#define LINE_PLACES (CACHE_LINE / PLACE)
 
 #define SMALL_SCENE 16 // up to so many primitives are tested without any boxes
 
+// Its first children are nodes, which end at the line `children` of the tree's memory, the others packets, which begin there.
 typedef struct {
-    float bounds[6][WIDTH]; // low x, y, z, high x, y, z of each child; an unused one has low = +∞, high = −∞
-    uint32_t child[WIDTH];
+    float low[3]; // where the children's boxes begin; its last byte is a step's exponent along that axis, too
+    uint32_t children : 25, node_count : 4, last_child : 3;
+    uint8_t bounds[6][WIDTH]; // low x, high x, low y, high y, low z, high z of each child in steps from `low`
 } Node;
 
-#define TRIANGLE 0x80000000u // in FlatPacket.id: a triangle, else a parallelogram
+#define MOST_LINES (1u << 25)
+#define TRIANGLE   0x80000000u // in FlatPacket.id: a triangle, else a parallelogram
 
 // An unused lane has edges of length 0, which no ray hits.
 typedef struct {
@@ -46,12 +51,22 @@ typedef struct {
 } SpherePacket;
 
 typedef struct {
-    Node *nodes;
-    uint32_t root; // NO_CHILD: the tree is empty
-    uint32_t node_count, packet_count;
-    char *packets; // FlatPackets or SpherePackets
-    size_t packet_size;
+    char *memory;
+    uint32_t root; // NO_CHILD: the tree is empty; LEAF: there are packets only
+    uint32_t end;  // of the places in use
+    uint32_t packet_count, packet_places;
+    uint32_t offset[2 * WIDTH]; // places from `children` to WIDTH nodes before and WIDTH packets behind
 } Tree;
+
+static inline void *tree_at(const Tree *tree, uint32_t child)
+{
+    return tree->memory + (size_t)(child & ~LEAF) * PLACE;
+}
+
+static inline uint32_t node_child(const Tree *tree, const Node *node, uint32_t number)
+{
+    return node->children * LINE_PLACES + tree->offset[WIDTH + number - node->node_count];
+}
 
 struct Bvh {
     Tree flats, spheres;
@@ -69,21 +84,26 @@ static inline uint32_t reference_id(const Reference *reference)
     return (uint32_t)reference->low[3] | (uint32_t)reference->high[3] << 16;
 }
 
-// Which references a packet takes.
-typedef struct {
-    uint32_t first, count;
-} Run;
+// All flats or all spheres.
+typedef struct Shapes {
+    const void *items;
+    size_t count, first_id; // their numbers as primitives
+    Box (*box)(const void *items, size_t i);
+    void (*pack)(const struct Shapes *shapes, const Reference *references, uint32_t count, void *packet);
+    size_t packet_size;
+} Shapes;
 
 #define INNER 0
 
-// A node of the binary tree. A subtree over n references takes 2n−1 places: its root first, then its left
-// child, and the right child after all that the left one may need. Which thread builds it makes no
-// difference.
+// A node of the binary tree. A subtree over n references takes 2n−1 places: its root first, then its left child, and the right
+// child after all that the left one may need. Which thread builds it makes no difference.
 typedef struct {
     float low[3];
     uint32_t first; // leaf: its first reference; else: index of the right child
     float high[3];
     uint32_t count; // INNER or the leaf's number of references
+    uint32_t packets;
+    float cost[WIDTH - 1]; // [n − 1]: the area of all nodes below where it becomes n children of a node
 } Split;
 
 static inline uint32_t packets_of(uint32_t count)
@@ -91,15 +111,18 @@ static inline uint32_t packets_of(uint32_t count)
     return (count + PACKET - 1) / PACKET;
 }
 
-// Memory to free() again, aligned for nodes; in large pages where it is large and the system has them: a ray
-// touches places all over the tree, and looking up where each page lies costs as much as reading it.
+// Memory to free() again, aligned for nodes; in large pages where it is large and the system has them: a ray touches places all
+// over the tree, and looking up where each page lies costs as much as reading it.
 void *bvh_allocate(size_t bytes);
 
-// Builds the tree over `count` references, which it reorders; packet p of the tree takes the references in
-// (*runs)[p]. The caller frees *runs and tree->nodes, also when it fails: false when memory is short.
-bool bvh_build_tree(Reference *references, size_t count, Tree *tree, Run **runs);
+// Builds the tree over the shapes' references, which it reorders. The caller frees tree->memory, also when it fails: false when
+// memory is short.
+bool bvh_build_tree(const Shapes *shapes, Reference *references, Tree *tree);
 
-// What bvh_build_tree ends with: makes nodes of up to eight children from the binary tree.
-bool bvh_collapse(const Split *splits, size_t count, Tree *tree, Run **runs);
+// What bvh_build_tree ends with: makes wide nodes of the binary tree, as its splits' costs say, and packets.
+bool bvh_collapse(const Shapes *shapes, const Reference *references, const Split *splits, Tree *tree);
+
+// Fills in what a split costs when both its children are known.
+void bvh_plan(Split *splits, uint32_t node);
 
 #endif

@@ -15,7 +15,7 @@
 typedef float Float4 __attribute__((vector_size(16)));
 typedef int32_t Int4 __attribute__((vector_size(16))); // from comparisons: −1 true, 0 false
 
-static inline Float4 float4_load(const float *from)
+static inline Float4 float4_load(const void *from)
 {
     Float4 lanes;
     memcpy(&lanes, from, sizeof lanes);
@@ -86,39 +86,63 @@ static inline unsigned int4_bits(Int4 mask)
 #endif
 }
 
+static inline uint32_t float_bits(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static inline float bits_float(uint32_t bits)
+{
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
 // As many lanes as one instruction of this processor takes, for the boxes of a node.
-#if defined(__AVX__)
+#if defined(__AVX2__)
 #define LANES 8
 typedef float Lanes __attribute__((vector_size(32)));
 typedef int32_t LanesMask __attribute__((vector_size(32)));
 
-static inline Lanes lanes_all(float x)
-{
-    return (Lanes){x, x, x, x, x, x, x, x};
-}
-
-static inline Lanes lanes_min(Lanes a, Lanes b)
-{
-    return (Lanes)_mm256_min_ps((__m256)a, (__m256)b);
-}
-
-static inline Lanes lanes_max(Lanes a, Lanes b)
-{
-    return (Lanes)_mm256_max_ps((__m256)a, (__m256)b);
-}
-
-static inline unsigned lanes_bits(LanesMask mask)
-{
-    return (unsigned)_mm256_movemask_ps((__m256)mask);
-}
+#define lanes_all(x)         ((Lanes){x, x, x, x, x, x, x, x})
+#define lanes_min(a, b)      ((Lanes)_mm256_min_ps((__m256)(a), (__m256)(b)))
+#define lanes_max(a, b)      ((Lanes)_mm256_max_ps((__m256)(a), (__m256)(b)))
+#define lanes_bits(mask)     ((unsigned)_mm256_movemask_ps((__m256)(mask)))
+#define lanes_fours(from)    ((Lanes)_mm256_broadcast_ps((const __m128 *)(from)))  // the same four in both halves
+#define lanes_pick(lanes, i) ((Lanes)_mm256_permute_ps((__m256)(lanes), (i)*0x55)) // of each half, in all its lanes
+#define lanes_bytes(from)    ((Lanes)_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(from)))))
 #else
-#define LANES      4
+#define LANES 4
 typedef Float4 Lanes;
 typedef Int4 LanesMask;
-#define lanes_all  float4_all
-#define lanes_min  float4_min
-#define lanes_max  float4_max
-#define lanes_bits int4_bits
+
+static inline Lanes lanes_bytes(const uint8_t *from)
+{
+#if defined(__SSE2__)
+    int32_t bytes;
+    memcpy(&bytes, from, sizeof bytes);
+    __m128i zero = _mm_setzero_si128();
+    return (Lanes)_mm_cvtepi32_ps(_mm_unpacklo_epi16(_mm_unpacklo_epi8(_mm_cvtsi32_si128(bytes), zero), zero));
+#else
+    return (Lanes){from[0], from[1], from[2], from[3]};
+#endif
+}
+
+#define lanes_fours          float4_load
+#define lanes_pick(lanes, i) float4_all((lanes)[i])
+#define lanes_all            float4_all
+#define lanes_min            float4_min
+#define lanes_max            float4_max
+#define lanes_bits           int4_bits
+#endif
+
+// a × b + c; whether it is rounded once or twice, the boxes leave room for.
+#if defined(__AVX2__) && defined(__FMA__)
+#define lanes_fma(a, b, c) ((Lanes)_mm256_fmadd_ps((__m256)(a), (__m256)(b), (__m256)(c)))
+#else
+#define lanes_fma(a, b, c) ((a) * (b) + (c))
 #endif
 
 #endif

@@ -42,14 +42,15 @@ static inline void load3(const float from[3][PACKET], Float4 lanes[3])
         lanes[axis] = float4_load(from[axis]);
 }
 
-// Where the ray meets the planes of four flats: t, u, v, each still to be divided by `determinant`.
+// A hit in each lane; where there are several packets, the closest so far.
 typedef struct {
-    Float4 t, u, v, determinant;
-} FlatHits;
+    Float4 t, u, v;
+    Int4 id;
+} LaneHits;
 
-// Möller & Trumbore 1997, four at once, without their division. Returns the flats that the line through the
-// ray crosses.
-static inline Int4 flats_crossed(const FlatPacket *packet, const PacketRay *ray, FlatHits *hits)
+// Möller & Trumbore 1997, four at once, without their division: t, u and v are still to be divided by *determinant. Returns the
+// flats that the line through the ray crosses.
+static inline Int4 flats_crossed(const FlatPacket *packet, const PacketRay *ray, LaneHits *at, Float4 *determinant)
 {
     Float4 to_origin[3], edge_u[3], edge_v[3], normal[3], moment[3];
     load3(packet->edge_u, edge_u);
@@ -61,9 +62,9 @@ static inline Int4 flats_crossed(const FlatPacket *packet, const PacketRay *ray,
     cross4(to_origin, ray->direction, moment);
 
     const Int4 sign_bit = int4_all(0x80000000u);
-    Float4 determinant = dot4(normal, ray->direction);
-    Int4 sign = (Int4)determinant & sign_bit;
-    Float4 size = (Float4)((Int4)determinant ^ sign);
+    Float4 facing = dot4(normal, ray->direction);
+    Int4 sign = (Int4)facing & sign_bit;
+    Float4 size = (Float4)((Int4)facing ^ sign);
     Float4 t = (Float4)((Int4)dot4(normal, to_origin) ^ sign);
     Float4 u = (Float4)((Int4)dot4(edge_v, moment) ^ sign);
     Float4 v = (Float4)((Int4)dot4(edge_u, moment) ^ sign ^ sign_bit);
@@ -73,15 +74,15 @@ static inline Int4 flats_crossed(const FlatPacket *packet, const PacketRay *ray,
     Float4 u_end = u + (Float4)((Int4)v & (id >> 31));
     Float4 low = size * float4_all(-EDGE_SLACK);
     Float4 high = size * float4_all(1.0f + EDGE_SLACK);
-    Int4 primitive = id & ~sign_bit;
-    *hits = (FlatHits){t, u, v, size};
-    return (float4_min(u, v) >= low) & (float4_max(u_end, v) <= high) & ~(primitive == ray->from);
+    *at = (LaneHits){t, u, v, id & ~sign_bit};
+    *determinant = size;
+    return (float4_min(u, v) >= low) & (float4_max(u_end, v) <= high) & ~(at->id == ray->from);
 }
 
 // Four spheres at once, in the form of Haines, Günther & Akenine-Möller (Ray Tracing Gems, 2019, ch. 7),
 // which stays exact for spheres that are small and far or huge and near. `t` is the smaller root beyond
 // t_min.
-static inline Int4 spheres_hit(const SpherePacket *packet, const PacketRay *ray, Float4 t_max, Float4 *t)
+static inline Int4 spheres_hit(const SpherePacket *packet, const PacketRay *ray, Float4 *t)
 {
     Float4 centre[3], offset[3], closest[3];
     load3(packet->centre, centre);
@@ -106,51 +107,51 @@ static inline Int4 spheres_hit(const SpherePacket *packet, const PacketRay *ray,
     Float4 one = c / q, other = q * inverse_a;
     Float4 first = float4_min(one, other), second = float4_max(one, other);
     *t = float4_select(first > ray->t_min, first, second);
-    return (discriminant >= float4_all(0.0f)) & (*t > ray->t_min) & (*t < t_max);
+    return (discriminant >= float4_all(0.0f)) & (*t > ray->t_min);
 }
 
-// The closest hit so far of each lane.
-typedef struct {
-    Float4 t, u, v;
-    Int4 id;
-} LaneHits;
-
-static inline void lanes_keep(LaneHits *best, Int4 closer, Float4 t, Float4 u, Float4 v, Int4 id)
+static inline void lanes_keep(LaneHits *best, Int4 closer, const LaneHits *at)
 {
-    best->t = float4_select(closer, t, best->t);
-    best->u = float4_select(closer, u, best->u);
-    best->v = float4_select(closer, v, best->v);
-    best->id = (closer & id) | (~closer & best->id);
+    best->t = float4_select(closer, at->t, best->t);
+    best->u = float4_select(closer, at->u, best->u);
+    best->v = float4_select(closer, at->v, best->v);
+    best->id = (closer & at->id) | (~closer & best->id);
 }
 
-// Is t between t_min and t_max? Without waiting for a division.
-static inline Int4 flats_between(const FlatHits *hits, const PacketRay *ray, Float4 t_max)
+static inline void lanes_divide(LaneHits *at, Float4 determinant)
 {
-    return (hits->t > hits->determinant * ray->t_min) & (hits->t < hits->determinant * t_max);
+    Float4 scale = 1.0f / determinant;
+    at->t *= scale;
+    at->u *= scale;
+    at->v *= scale;
 }
 
-// Where most packets are missed, a test for that saves the rest; where hits are as likely, mispredicting the branch
-// would cost more than that.
-typedef enum { HIT_AS_OFTEN, MOSTLY_MISSED } Expected;
-
-static INLINE void flats_closest(const FlatPacket *packet, const PacketRay *ray, Expected expected, LaneHits *best)
+static INLINE void flats_closest(const FlatPacket *packet, const PacketRay *ray, LaneHits *best)
 {
-    FlatHits hits;
-    Int4 crossed = flats_crossed(packet, ray, &hits);
-    if (expected == MOSTLY_MISSED && !int4_bits(crossed & flats_between(&hits, ray, best->t)))
-        return;
-    Float4 scale = 1.0f / hits.determinant;
-    Float4 t = hits.t * scale;
-    Int4 closer = crossed & (t > ray->t_min) & (t < best->t);
-    lanes_keep(best, closer, t, hits.u * scale, hits.v * scale, int4_load(packet->id) & int4_all(~TRIANGLE));
+    LaneHits at;
+    Float4 determinant;
+    Int4 crossed = flats_crossed(packet, ray, &at, &determinant);
+    lanes_divide(&at, determinant);
+    lanes_keep(best, crossed & (at.t > ray->t_min) & (at.t < best->t), &at);
 }
 
 static INLINE void spheres_closest(const SpherePacket *packet, const PacketRay *ray, LaneHits *best)
 {
-    Float4 t;
-    Int4 closer = spheres_hit(packet, ray, best->t, &t);
-    Float4 zero = float4_all(0.0f);
-    lanes_keep(best, closer, t, zero, zero, int4_load(packet->id));
+    LaneHits at = {.id = int4_load(packet->id)};
+    Int4 hit = spheres_hit(packet, ray, &at.t);
+    lanes_keep(best, hit & (at.t < best->t), &at);
+}
+
+// Which flats of a leaf does the ray meet up to t_max, and maybe a little further? Most are missed, and a test for that saves the
+// division.
+static INLINE Int4 flats_met(const FlatPacket *packet, const PacketRay *ray, float t_max, LaneHits *at)
+{
+    Float4 determinant;
+    Int4 met = flats_crossed(packet, ray, at, &determinant);
+    met &= (at->t > float4_all(0.0f)) & (at->t <= determinant * float4_all(t_max * (1.0f + 1e-6f)));
+    if (int4_bits(met))
+        lanes_divide(at, determinant);
+    return met & (at->t > ray->t_min);
 }
 
 // The closest of the four, if it is closer than *hit.
@@ -168,18 +169,19 @@ static inline bool lanes_reduce(const LaneHits *best, BvhHit *hit)
     return true;
 }
 
+// Without waiting for a division.
 static inline Int4 flats_occlude(const FlatPacket *packet, const PacketRay *ray, Float4 t_max)
 {
-    FlatHits hits;
-    Int4 crossed = flats_crossed(packet, ray, &hits);
-    Int4 excepted = (int4_load(packet->id) & int4_all(~TRIANGLE)) == ray->except;
-    return crossed & flats_between(&hits, ray, t_max) & ~excepted;
+    LaneHits at;
+    Float4 size;
+    Int4 crossed = flats_crossed(packet, ray, &at, &size);
+    return crossed & (at.t > size * ray->t_min) & (at.t < size * t_max) & ~(at.id == ray->except);
 }
 
 static inline Int4 spheres_occlude(const SpherePacket *packet, const PacketRay *ray, Float4 t_max)
 {
     Float4 t;
-    return spheres_hit(packet, ray, t_max, &t) & ~(int4_load(packet->id) == ray->except);
+    return spheres_hit(packet, ray, &t) & (t < t_max) & ~(int4_load(packet->id) == ray->except);
 }
 
 #endif

@@ -5,131 +5,151 @@
 // The builder limits the depth: see DEPTH_LIMIT there.
 #define STACK_SIZE (96 * (WIDTH - 1))
 
-// Rounding moves the ends of the interval in which a ray is inside a box by up to 3 units in the last place
-// (Ize 2013).
-#define BOX_SLACK (1.0f - 5e-7f)
+// Rounding moves the ends of the interval in which a ray is inside a box by a few units in the last place (Ize 2013).
+#define BOX_SLACK (1.0f - 1e-6f)
 
 #define NOINLINE __attribute__((noinline)) // keeps registers for what surrounds it
 
-typedef struct {
-    float t; // where the ray enters it
-    uint32_t child;
-} Entry;
+// The distance at which the ray enters a child, which is no less than 0, so that its bits are in the order of their values;
+// then the child.
+typedef uint64_t Entry;
 
 // A ray prepared for the boxes.
 typedef struct {
-    Lanes origin[3], inverse[3];
-    Lanes t_min;
-    int near[3], far[3]; // rows of Node.bounds where the ray enters and leaves a box
+    Lanes origin, inverse;
+    float t_min;
+    unsigned near[3]; // rows of Node.bounds where the ray enters a box; it leaves it at that row's neighbour
 } BoxRay;
+
+// Along an axis on which a ray hardly moves; its products with lengths are finite.
+#define STEEPEST 1e18f
 
 static inline BoxRay box_ray(const Ray *ray, float t_min)
 {
-    BoxRay r;
-    for (int axis = 0; axis < 3; axis++) {
-        float inverse = 1.0f / vec3_component(ray->direction, axis); // ±∞ is fine
-        r.origin[axis] = lanes_all(vec3_component(ray->origin, axis));
-        r.inverse[axis] = lanes_all(inverse);
-        r.near[axis] = inverse < 0.0f ? axis + 3 : axis;
-        r.far[axis] = inverse < 0.0f ? axis : axis + 3;
-    }
-    r.t_min = lanes_all(t_min);
+    Float4 origin = {ray->origin.x, ray->origin.y, ray->origin.z, 0.0f};
+    Float4 inverse = 1.0f / (Float4){ray->direction.x, ray->direction.y, ray->direction.z, 1.0f};
+    inverse = float4_max(float4_min(inverse, float4_all(STEEPEST)), float4_all(-STEEPEST));
+    BoxRay r = {.origin = lanes_fours(&origin), .inverse = lanes_fours(&inverse), .t_min = t_min + 0.0f}; // not −0
+    unsigned backwards = int4_bits(inverse < float4_all(0.0f));
+    for (unsigned axis = 0; axis < 3; axis++)
+        r.near[axis] = 2 * axis + (backwards >> axis & 1);
     return r;
 }
 
-static inline Lanes lanes_load(const float *from)
-{
-    Lanes lanes;
-    memcpy(&lanes, from, sizeof lanes);
-    return lanes;
-}
-
-// Which children does the ray meet before t_max, and where does it enter them? Along an axis on which the ray does not
-// move, `inverse` is infinite: a slab that the origin lies in gives −∞…∞, one on whose face it lies 0·∞, which is NaN;
-// lanes_min and lanes_max then return their second operand.
+// Which children does the ray meet before t_max, and where does it enter them?
 static inline unsigned node_hits(const Node *node, const BoxRay *ray, float t_max, float enter[WIDTH])
 {
+    Lanes low = lanes_fours(node);
+    Lanes start = (low - ray->origin) * ray->inverse;
+    Lanes step = (Lanes)(((LanesMask)low & 0xff) << 23) * ray->inverse;
+    const Lanes from[3] = {lanes_pick(start, 0), lanes_pick(start, 1), lanes_pick(start, 2)};
+    const Lanes by[3] = {lanes_pick(step, 0), lanes_pick(step, 1), lanes_pick(step, 2)};
     unsigned hits = 0;
     for (int lane = 0; lane < WIDTH; lane += LANES) {
-        Lanes near = ray->t_min;
+        Lanes near = lanes_all(ray->t_min);
         Lanes far = lanes_all(t_max);
         for (int axis = 0; axis < 3; axis++) {
-            Lanes in = (lanes_load(&node->bounds[ray->near[axis]][lane]) - ray->origin[axis]) * ray->inverse[axis];
-            Lanes out = (lanes_load(&node->bounds[ray->far[axis]][lane]) - ray->origin[axis]) * ray->inverse[axis];
-            near = lanes_max(in, near);
-            far = lanes_min(out, far);
+            const uint8_t *in = &node->bounds[ray->near[axis]][lane], *out = &node->bounds[ray->near[axis] ^ 1][lane];
+            near = lanes_max(lanes_fma(lanes_bytes(in), by[axis], from[axis]), near);
+            far = lanes_min(lanes_fma(lanes_bytes(out), by[axis], from[axis]), far);
         }
         near *= lanes_all(BOX_SLACK);
         memcpy(&enter[lane], &near, sizeof near);
         hits |= lanes_bits(near <= far) << lane;
     }
-    return hits;
+    return hits & ((2u << node->last_child) - 1);
 }
 
-static inline uint32_t leaf_end(uint32_t leaf)
+// Tests all packets of a tree that is nothing else.
+static INLINE void all_closest(const Bvh *bvh, const Tree *tree, const PacketRay *ray, LaneHits *best)
 {
-    return (leaf & FIRST_PACKET) + (leaf >> 28 & 7u) + 1;
-}
-
-static INLINE void leaf_closest(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray,
-                                Expected expected, LaneHits *best)
-{
-    uint32_t end = leaf_end(leaf);
-    for (uint32_t packet = leaf & FIRST_PACKET; packet < end; packet++)
+    for (uint32_t i = 0; i < tree->packet_count; i++)
         if (tree == &bvh->flats)
-            flats_closest((const FlatPacket *)tree->packets + packet, ray, expected, best);
+            flats_closest((const FlatPacket *)tree->memory + i, ray, best);
         else
-            spheres_closest((const SpherePacket *)tree->packets + packet, ray, best);
+            spheres_closest((const SpherePacket *)tree->memory + i, ray, best);
 }
 
-// Not inlined: within the loop of the traversal, too few registers are left for it.
-static NOINLINE void leaf_of_many(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray, LaneHits *best)
+// Is there a closer hit? At the same distance the primitive with the higher number counts as closer, so that it does not matter
+// in which order a tree is searched. Not inlined: within the loop of the traversal, too few registers are left for it.
+static NOINLINE bool leaf_closest(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray, BvhHit *hit)
 {
-    leaf_closest(bvh, tree, leaf, ray, MOSTLY_MISSED, best);
+    LaneHits at = {.id = int4_all(0)};
+    Int4 met;
+    if (tree == &bvh->flats) {
+        met = flats_met(tree_at(tree, leaf), ray, hit->t, &at);
+    } else {
+        met = spheres_hit(tree_at(tree, leaf), ray, &at.t);
+        at.id = int4_load(((const SpherePacket *)tree_at(tree, leaf))->id);
+    }
+    bool found = false;
+    for (unsigned lanes = int4_bits(met); lanes; lanes &= lanes - 1) {
+        int lane = __builtin_ctz(lanes);
+        BvhHit one = {at.t[lane], at.u[lane], at.v[lane], (uint32_t)at.id[lane]};
+        if (one.t < hit->t || (one.t == hit->t && one.primitive > hit->primitive)) {
+            *hit = one;
+            found = true;
+        }
+    }
+    return found;
 }
 
-// Asks for a child's memory early: a large tree does not fit into the caches, and waiting for it takes most
-// of the time.
+// Large trees do not fit into the caches, and waiting for memory takes most of the time. So a node's children that are nodes
+// are asked for before it is known which of them are hit, up to so many,
+#define PREFETCHED 6
+
+static inline void prefetch_nodes(const Tree *tree, const Node *node)
+{
+    const char *end = tree_at(tree, node->children * LINE_PLACES);
+    for (int i = 1; i <= PREFETCHED; i++)
+        __builtin_prefetch(end - i * CACHE_LINE);
+}
+
+// and packets, which are larger, when they are.
 static inline void prefetch(const Tree *tree, uint32_t child)
 {
-    const char *base = child & LEAF ? tree->packets : (const char *)tree->nodes;
-    size_t size = child & LEAF ? tree->packet_size : sizeof(Node);
-    const char *place = base + (child & FIRST_PACKET) * size;
+    const char *place = tree_at(tree, child);
     __builtin_prefetch(place);
-    __builtin_prefetch(place + 64);
-    __builtin_prefetch(place + 128);
-    __builtin_prefetch(place + size - 1);
+    if (child & LEAF) {
+        __builtin_prefetch(place + CACHE_LINE);
+        __builtin_prefetch(place + 2 * CACHE_LINE);
+    }
 }
 
 // Returns the nearest of the children that were hit, and puts the others on the stack, nearer ones above.
 static inline uint32_t descend(const Tree *tree, const Node *node, unsigned hits, const float enter[WIDTH], Entry **top)
 {
-    int lane = __builtin_ctz(hits);
-    Entry nearest = {enter[lane], node->child[lane]};
+    uint32_t lane = (uint32_t)__builtin_ctz(hits);
+    uint32_t first = node_child(tree, node, lane);
+    hits &= hits - 1;
+    if (!hits)
+        return first;
+    Entry nearest = (Entry)float_bits(enter[lane]) << 32 | first;
     Entry *bottom = *top;
-    for (hits &= hits - 1; hits; hits &= hits - 1) {
-        lane = __builtin_ctz(hits);
-        Entry entry = {enter[lane], node->child[lane]};
-        prefetch(tree, entry.child);
-        if (entry.t < nearest.t) {
-            Entry other = nearest;
-            nearest = entry;
-            entry = other;
-        }
+    for (; hits; hits &= hits - 1) {
+        lane = (uint32_t)__builtin_ctz(hits);
+        uint32_t child = node_child(tree, node, lane);
+        prefetch(tree, child);
+        Entry entry = (Entry)float_bits(enter[lane]) << 32 | child;
+        Entry further = entry > nearest ? entry : nearest;
+        nearest = entry > nearest ? nearest : entry;
         Entry *at = (*top)++;
-        for (; at > bottom && at[-1].t < entry.t; at--)
+        for (; at > bottom && at[-1] < further; at--)
             *at = at[-1];
-        *at = entry;
+        *at = further;
     }
-    return nearest.child;
+    return (uint32_t)nearest;
 }
 
 static inline bool tree_closest(const Bvh *bvh, const Tree *tree, const Ray *ray, const PacketRay *packet_ray,
                                 BvhHit *hit)
 {
     bool found = false;
-    if (tree->root == NO_CHILD)
-        return false;
+    if (tree->root & LEAF) {
+        for (uint32_t i = 0; i < tree->packet_count; i++)
+            found |= leaf_closest(bvh, tree, i * tree->packet_places, packet_ray, hit);
+        return found;
+    }
     BoxRay boxes = box_ray(ray, packet_ray->t_min[0]);
     Entry stack[STACK_SIZE];
     Entry *top = stack;
@@ -138,23 +158,21 @@ static inline bool tree_closest(const Bvh *bvh, const Tree *tree, const Ray *ray
         unsigned hits = 1;
         while (!(child & LEAF)) {
             float enter[WIDTH];
-            const Node *node = &tree->nodes[child];
+            const Node *node = tree_at(tree, child);
+            prefetch_nodes(tree, node);
             hits = node_hits(node, &boxes, hit->t, enter);
             if (!hits)
                 break;
             child = descend(tree, node, hits, enter, &top);
         }
-        if (hits) {
-            LaneHits best = {.t = float4_all(hit->t)};
-            leaf_of_many(bvh, tree, child, packet_ray, &best);
-            found |= lanes_reduce(&best, hit);
-        }
+        if (hits)
+            found |= leaf_closest(bvh, tree, child, packet_ray, hit);
         do {
             if (top == stack)
                 return found;
             top--;
-        } while (top->t >= hit->t);
-        child = top->child;
+        } while (*top >> 32 >= float_bits(hit->t));
+        child = (uint32_t)*top;
     }
 }
 
@@ -163,10 +181,8 @@ static NOINLINE bool small_closest(const Bvh *bvh, const Ray *ray, float t_min, 
 {
     PacketRay packets = packet_ray(ray, t_min, NO_PRIMITIVE);
     LaneHits best = {.t = float4_all(t_max)};
-    if (bvh->spheres.root != NO_CHILD)
-        leaf_closest(bvh, &bvh->spheres, bvh->spheres.root, &packets, HIT_AS_OFTEN, &best);
-    if (bvh->flats.root != NO_CHILD)
-        leaf_closest(bvh, &bvh->flats, bvh->flats.root, &packets, HIT_AS_OFTEN, &best);
+    all_closest(bvh, &bvh->spheres, &packets, &best);
+    all_closest(bvh, &bvh->flats, &packets, &best);
     hit->t = t_max;
     return lanes_reduce(&best, hit);
 }
@@ -174,7 +190,7 @@ static NOINLINE bool small_closest(const Bvh *bvh, const Ray *ray, float t_min, 
 static NOINLINE bool large_closest(const Bvh *bvh, const Ray *ray, float t_min, float t_max, BvhHit *hit)
 {
     PacketRay packets = packet_ray(ray, t_min, NO_PRIMITIVE);
-    hit->t = t_max;
+    *hit = (BvhHit){.t = t_max, .primitive = NO_PRIMITIVE};
     bool found = tree_closest(bvh, &bvh->spheres, ray, &packets, hit);
     found |= tree_closest(bvh, &bvh->flats, ray, &packets, hit);
     return found;
@@ -197,22 +213,21 @@ bool bvh_closest(const Bvh *bvh, const Ray *ray, float t_min, float t_max, BvhHi
     return (small ? small_closest : large_closest)(bvh, ray, t_min, t_max, hit);
 }
 
-static inline bool leaf_occluded(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray, float t_max)
+static inline Int4 leaf_occludes(const Bvh *bvh, const Tree *tree, uint32_t leaf, const PacketRay *ray, float t_max)
 {
-    uint32_t end = leaf_end(leaf);
-    Int4 found = int4_all(0);
-    for (uint32_t packet = leaf & FIRST_PACKET; packet < end; packet++)
-        found |= tree == &bvh->flats
-                     ? flats_occlude((const FlatPacket *)tree->packets + packet, ray, float4_all(t_max))
-                     : spheres_occlude((const SpherePacket *)tree->packets + packet, ray, float4_all(t_max));
-    return int4_bits(found) != 0;
+    return tree == &bvh->flats ? flats_occlude(tree_at(tree, leaf), ray, float4_all(t_max))
+                               : spheres_occlude(tree_at(tree, leaf), ray, float4_all(t_max));
 }
 
 static inline bool tree_occluded(const Bvh *bvh, const Tree *tree, const Ray *ray, const PacketRay *packet_ray,
                                  float t_max)
 {
-    if (tree->root & LEAF)
-        return tree->root != NO_CHILD && leaf_occluded(bvh, tree, tree->root, packet_ray, t_max);
+    if (tree->root & LEAF) {
+        Int4 found = int4_all(0);
+        for (uint32_t packet = 0; packet < tree->packet_count; packet++)
+            found |= leaf_occludes(bvh, tree, packet * tree->packet_places, packet_ray, t_max);
+        return int4_bits(found) != 0;
+    }
     BoxRay boxes = box_ray(ray, packet_ray->t_min[0]);
     uint32_t stack[STACK_SIZE];
     uint32_t *top = stack;
@@ -221,17 +236,18 @@ static inline bool tree_occluded(const Bvh *bvh, const Tree *tree, const Ray *ra
         uint32_t child = *--top;
         while (!(child & LEAF)) {
             float enter[WIDTH];
-            const Node *node = &tree->nodes[child];
+            const Node *node = tree_at(tree, child);
+            prefetch_nodes(tree, node);
             unsigned hits = node_hits(node, &boxes, t_max, enter);
             if (!hits)
                 break;
-            child = node->child[__builtin_ctz(hits)];
+            child = node_child(tree, node, (uint32_t)__builtin_ctz(hits));
             for (hits &= hits - 1; hits; hits &= hits - 1) {
-                *top = node->child[__builtin_ctz(hits)];
+                *top = node_child(tree, node, (uint32_t)__builtin_ctz(hits));
                 prefetch(tree, *top++);
             }
         }
-        if ((child & LEAF) && leaf_occluded(bvh, tree, child, packet_ray, t_max))
+        if ((child & LEAF) && int4_bits(leaf_occludes(bvh, tree, child, packet_ray, t_max)))
             return true;
     }
     return false;

@@ -178,6 +178,20 @@ TEST(test_unsound_rays)
     assert_false(meets(bvh, &still, &hit));
 }
 
+// Of what lies at one distance the last is hit, in whatever order the tree was built and searched.
+TEST(test_one_distance)
+{
+    memset(&shapes, 0, sizeof shapes);
+    for (int i = 0; i < 200; i++)
+        add_flat(vec3((float)(i % 7), 0, 0), vec3(10, 0, 0), vec3(0, 10, 0), i % 2);
+    Bvh *bvh = build();
+    BvhHit hit;
+    assert_true(meets(bvh, &(Ray){vec3(8, 0.5f, 3), vec3(0, 0, -1), NO_PRIMITIVE}, &hit));
+    assert_int_equal(hit.primitive, 199);
+    assert_true(meets(bvh, &(Ray){vec3(0.5f, 0.5f, -3), vec3(0, 0, 1), NO_PRIMITIVE}, &hit));
+    assert_int_equal(hit.primitive, 196);
+}
+
 TEST(test_bounds)
 {
     memset(&shapes, 0, sizeof shapes);
