@@ -160,7 +160,7 @@ check-arm: all meshes
 check-same: judge meshes
 	@bash tests/same_as.sh "$${AS:?says which commit}" $(BUILD)
 
-$(BUILD)/bench_photons: $(call object,tests/bench/photons.c lib/cli/common.c) $(LIBRARY)
+$(BUILD)/bench_photons: $(call object,tests/bench/photons.c lib/cli/common.c lib/cli/guard.c) $(LIBRARY)
 	$(call link)
 
 ##maintainer bench  speed against other programs, side by side (installs them first)

@@ -26,7 +26,9 @@ void scene_free(Scene *scene)
 // put the origin just behind the surface next to its own.
 static float nearest_distance(Vec3 origin)
 {
-    return 1e-6f * fmaxf(fabsf(origin.x), fmaxf(fabsf(origin.y), fabsf(origin.z)));
+    float x = fabsf(origin.x), y = fabsf(origin.y), z = fabsf(origin.z);
+    float larger = x > y ? x : y;
+    return 1e-6f * (larger > z ? larger : z);
 }
 
 static Vec3 interpolated_normal(const Scene *scene, const Flat *flat, const BvhHit *at)
@@ -51,7 +53,7 @@ static void fill_flat(const Scene *scene, const Ray *ray, const BvhHit *at, Hit 
     hit->material = &scene->materials[flat->material];
     // By u and v, which puts the point closer to the surface than origin + t·direction would.
     hit->position = vec3_along(vec3_along(flat->origin, flat->edge_u, at->u), flat->edge_v, at->v);
-    set_side(ray, vec3_normalize(vec3_cross(flat->edge_u, flat->edge_v)), hit);
+    set_side(ray, flat->normal, hit);
     if (!flat->normals || material_is_rough(hit->material))
         return;
     Vec3 smooth = interpolated_normal(scene, flat, at);

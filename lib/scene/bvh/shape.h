@@ -16,6 +16,7 @@ typedef struct {
     // 1 + index into Scene.normals of three corner normals (at origin, +edge_u, +edge_v); 0: it has none.
     uint32_t normals : 31;
     uint32_t is_triangle : 1;
+    Vec3 normal; // unit; the hierarchy does without
 } Flat;
 
 // Degenerate edges span no flat: the sine of the angle between them is below 1e-6, or edge_u × edge_v is too

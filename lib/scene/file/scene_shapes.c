@@ -30,8 +30,8 @@ static bool build_box(SceneBuilder *builder, SceneEntry *entry, uint32_t materia
         // The edges are right-handed: edge j × edge k points along edge i, out of the far face and into the
         // near one.
         Vec3 j = edges[(i + 1) % 3], k = edges[(i + 2) % 3];
-        Flat near_face = {corner, k, j, material, 0, 0};
-        Flat far_face = {vec3_add(corner, edges[i]), j, k, material, 0, 0};
+        Flat near_face = {corner, k, j, material, 0, 0, {0, 0, 0}};
+        Flat far_face = {vec3_add(corner, edges[i]), j, k, material, 0, 0, {0, 0, 0}};
         if (!scene_check_edges(entry, "high", j, k) || !scene_add_flat(builder, near_face) ||
             !scene_add_flat(builder, far_face))
             return false;
@@ -56,11 +56,11 @@ static bool build_prism(SceneBuilder *builder, SceneEntry *entry, uint32_t mater
     Vec3 side_1 = vec3_add(height, half_base), side_2 = vec3_sub(height, half_base);
     // axis, down and sideways are right-handed; so all edge_u × edge_v below point out of the glass.
     Flat faces[5] = {
-        {apex, along, side_1, material, 0, 0},
-        {apex, side_2, along, material, 0, 0},
-        {vec3_add(apex, side_2), vec3_sub(side_1, side_2), along, material, 0, 0},
-        {apex, side_1, side_2, material, 0, 1},
-        {vec3_add(apex, along), side_2, side_1, material, 0, 1},
+        {apex, along, side_1, material, 0, 0, {0, 0, 0}},
+        {apex, side_2, along, material, 0, 0, {0, 0, 0}},
+        {vec3_add(apex, side_2), vec3_sub(side_1, side_2), along, material, 0, 0, {0, 0, 0}},
+        {apex, side_1, side_2, material, 0, 1, {0, 0, 0}},
+        {vec3_add(apex, along), side_2, side_1, material, 0, 1, {0, 0, 0}},
     };
     for (int i = 0; i < 5; i++) {
         if (flat_is_degenerate(faces[i].edge_u, faces[i].edge_v))
