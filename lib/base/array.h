@@ -1,4 +1,4 @@
-// Arrays that grow.
+// Arrays that grow, and large ones.
 #ifndef PHOTONLAB_BASE_ARRAY_H
 #define PHOTONLAB_BASE_ARRAY_H
 
@@ -6,6 +6,26 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+#define CACHE_LINE 64
+#define LARGE_PAGE ((size_t)2 << 20)
+
+// Memory to free() again, aligned for the cache; in large pages where it is large and the system has them: making small ones, and
+// looking up where each lies, costs as much as using them.
+static inline void *array_allocate(size_t bytes)
+{
+    void *memory = NULL;
+    if (posix_memalign(&memory, bytes < LARGE_PAGE ? CACHE_LINE : LARGE_PAGE, bytes + (bytes == 0)))
+        return NULL;
+#ifdef MADV_HUGEPAGE
+    if (bytes >= LARGE_PAGE)
+        madvise(memory, bytes, MADV_HUGEPAGE); // a wish; that it fails is no error
+#endif
+    return memory;
+}
 
 // Makes room for `count` items in all. `array` points to the pointer to the first, whatever its type, which changes where
 // the array has to move. False when memory is short: the old array stays as it is.

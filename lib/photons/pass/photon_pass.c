@@ -193,8 +193,8 @@ static bool merge(PhotonPass *pass, PhotonTrace *chunks, long chunk_count, const
         caustics += part_caustics ? chunks[i].caustics : 0;
     }
     pass->stored = total;
-    pass->caustic = (PhotonArray){malloc((caustics + 1) * sizeof(StoredPhoton)), caustics};
-    pass->rest = (PhotonArray){malloc((total - caustics + 1) * sizeof(StoredPhoton)), total - caustics};
+    pass->caustic = (PhotonArray){array_allocate((caustics + 1) * sizeof(StoredPhoton)), caustics};
+    pass->rest = (PhotonArray){array_allocate((total - caustics + 1) * sizeof(StoredPhoton)), total - caustics};
     if (!pass->caustic.photons || !pass->rest.photons)
         return false;
 #pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))

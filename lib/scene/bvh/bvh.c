@@ -4,27 +4,10 @@
 #include "scene/bvh/bvh_internal.h"
 
 #include <stdlib.h>
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
 
 // A box reaches this much farther than its shape, relative to its coordinates, so that rounding does not put a hit
 // on the shape outside the box.
 #define BOX_PADDING 2e-6f
-#define LARGE_PAGE  ((size_t)2 << 20)
-
-void *bvh_allocate(size_t bytes)
-{
-    void *memory = NULL;
-    size_t alignment = bytes < LARGE_PAGE ? CACHE_LINE : LARGE_PAGE;
-    if (posix_memalign(&memory, alignment, bytes + (bytes == 0)))
-        return NULL;
-#ifdef MADV_HUGEPAGE
-    if (bytes >= LARGE_PAGE)
-        madvise(memory, bytes, MADV_HUGEPAGE); // a wish; that it fails is no error
-#endif
-    return memory;
-}
 
 static Reference reference_create(Box box, size_t id)
 {
@@ -94,7 +77,7 @@ static void pack_spheres(const Shapes *shapes, const Reference *references, uint
 static bool build_tree(const Shapes *shapes, Tree *tree)
 {
     *tree = (Tree){.root = NO_CHILD, .packet_places = (uint32_t)(shapes->packet_size / PLACE)};
-    Reference *references = bvh_allocate(shapes->count * sizeof *references);
+    Reference *references = array_allocate(shapes->count * sizeof *references);
     if (!references)
         return false;
     OMP(omp parallel for schedule(static) if (shapes->count > TASK_COUNT))

@@ -190,7 +190,7 @@ bool bvh_build_tree(const Shapes *shapes, Reference *references, Tree *tree)
 {
     if (shapes->count == 0)
         return true;
-    Builder builder = {references, bvh_allocate(2 * shapes->count * sizeof *builder.splits)};
+    Builder builder = {references, array_allocate(2 * shapes->count * sizeof *builder.splits)};
     if (!builder.splits)
         return false;
     Range all = {.box = box4_empty(), .centroids = box4_empty()};

@@ -134,7 +134,7 @@ bool bvh_collapse(const Shapes *shapes, const Reference *references, const Split
     }
     // A node has two children at least, and less than a line is left behind its packets.
     size_t lines = splits[0].packets * (2 + shapes->packet_size / (double)CACHE_LINE) + 1;
-    if (lines >= MOST_LINES || !(tree->memory = bvh_allocate(lines * CACHE_LINE)))
+    if (lines >= MOST_LINES || !(tree->memory = array_allocate(lines * CACHE_LINE)))
         return false;
     tree->end = LINE_PLACES;
     tree->root = splits[0].count == INNER ? 0 : LEAF;

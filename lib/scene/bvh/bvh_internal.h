@@ -7,6 +7,7 @@
 #ifndef PHOTONLAB_SCENE_BVH_INTERNAL_H
 #define PHOTONLAB_SCENE_BVH_INTERNAL_H
 
+#include "base/array.h"
 #include "base/parallel.h"
 #include "scene/bvh/bvh.h"
 #include "scene/bvh/bvh_lanes.h"
@@ -23,7 +24,6 @@
 #define LEAF        0x80000000u
 #define NO_CHILD    UINT32_MAX
 #define PLACE       16 // bytes
-#define CACHE_LINE  64
 #define LINE_PLACES (CACHE_LINE / PLACE)
 
 #define SMALL_SCENE 16 // up to so many primitives are tested without any boxes
@@ -110,10 +110,6 @@ static inline uint32_t packets_of(uint32_t count)
 {
     return (count + PACKET - 1) / PACKET;
 }
-
-// Memory to free() again, aligned for nodes; in large pages where it is large and the system has them: a ray touches places all
-// over the tree, and looking up where each page lies costs as much as reading it.
-void *bvh_allocate(size_t bytes);
 
 // Builds the tree over the shapes' references, which it reorders. The caller frees tree->memory, also when it fails: false when
 // memory is short.
