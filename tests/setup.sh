@@ -11,7 +11,7 @@ for target in "$@"; do
     bench) packages="$packages g++ libnanoflann-dev libembree-dev povray xz-utils" ;;
     wasm | site | check-wasm | check-site) packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs" ;;
     class-alike | check-alike) packages="$packages python3-venv" ;;
-    check* | class-trial | reference | agreement | bench-* | calibrate | fuzz* | *figures | *-table)
+    check* | reference | agreement | bench-* | calibrate | fuzz* | *figures | *-table)
         packages="$packages libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"
         ;;
     esac

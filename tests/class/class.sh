@@ -177,7 +177,7 @@ close() {
     echo "$count submissions, $((count - lost)) with a result, $lost not graded, in $SECONDS s"
     [ "$partly" = 0 ] || echo "$partly partly graded, as $SECONDS_EACH s ran out. More for each:" \
         "PHOTONLAB_SECONDS_EACH=$((2 * SECONDS_EACH)) make class …"
-    echo "$OUT/class.csv, $OUT/index.html"
+    echo "${PHOTONLAB_OUT:-$OUT}/class.csv, ${PHOTONLAB_OUT:-$OUT}/index.html"
     [ "$lost" = 0 ]
 }
 

@@ -9,7 +9,7 @@ $(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack/*.c)) $(LIBRARY)
 $(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) tests/judge/grade/points.c $(REPORT_WORDS)) $(LIBRARY)
 	$(call link,-ljansson)
 
-.PHONY: class class-slurm class-alike check-alike handout gradescope class-tools check-class class-trial class-slurm-trial class-numbers
+.PHONY: class class-slurm class-alike check-alike handout gradescope class-tools check-class class-slurm-trial class-numbers
 
 # What run_autograder compiles students' code with, where there is no make around it.
 $(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
@@ -58,10 +58,6 @@ gradescope: $(CLASS_TABLE)
 ##check beside check-class  submitting, updating, grading a small class, handout, autograder
 check-class: class-tools meshes
 	@bash tests/class/test_class.sh
-
-##check long class-trial  200 submissions made of known answers, with a kill half-way
-class-trial: class-tools
-	@bash tests/class/trial.sh
 
 ##check long class-slurm-trial  make class-slurm on a cluster of this one machine
 class-slurm-trial: class-tools

@@ -21,6 +21,8 @@ check_canvas() {
     cp "$solved/$reflect" "$in/doejane_4711_98_1.1_reflect-1.c"
     cp "$solved/$turn" "$in/doejane_4714_99_2.2_turn_to.c"
     cp "$solved/$turn" "$in/ohararae_LATE_4712_100_2.2_turn_to.c"
+    (cd "$work/x/roe/exercises" && mkdir 1_diffuse_photon_map && cp "$solved/$reflect" "$reflect" &&
+        patch -s -p2 <"$root/tests/mistakes/1.1_straight_back/a.patch")
     tar -czf "$in/roezoë_4713_101_zoe-2026-11-30.tar-1.gz" -C "$work/x/roe" exercises
     cat >"$work/gradebook.csv" <<'END'
 Student,ID,SIS User ID,SIS Login ID,Section,Essay (5),photonlab (77),Final Score
@@ -50,6 +52,11 @@ Student,ID,SIS User ID,SIS Login ID,Section,photonlab (77)
 END
     in_table canvas-out 4712 'Canvas says that it is late' "canvas: who is late, and that nobody knows by how much"
     check "$(grep -c . "$work/canvas-out/class.csv") == 6" "canvas: rows that are no student's are none of the table"
+    "$build/class_table" --points "$PHOTONLAB_POINTS" --notes "../my notes" --pictures course_notes/figures "$work/canvas-out" \
+        "$work/canvas-out/.parts/.names"
+    says 'href="../my%20notes/gallery.html#m-1-1-straight-back">picture</a><td><a href="roezo' "$work/canvas-out/index.html" \
+        "canvas: a mistake leads to its picture, and to whose it is"
+    says '<b>1</b> the photon is sent straight back.*<img' "$work/canvas-out/lecture.html" "canvas: a picture for the lecture"
 }
 
 # One zip of folders that begin with a name and the worksheet's number; the worksheet says when each was handed in.
