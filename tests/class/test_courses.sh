@@ -91,12 +91,12 @@ check_moodle() {
 }
 
 check_roster() {
-    mkdir -p "$work/roster" && put_step "$work/roster/doe" && put_step "$work/roster/roe" && put_step "$work/roster/poe"
+    mkdir -p "$work/roster" && put_step "$work/roster/doe-2026-11-30" && put_step "$work/roster/roe" && put_step "$work/roster/poe"
     printf 'id,login\n1,dough\n2,row\n' >"$work/others.csv"
     printf 'id,group,mail\n1,1,doe@x.org\n2,1,row@x.org\n' >"$work/few.csv"
     grade roster PHOTONLAB_ROSTER="$work/others.csv"
     check "$? == 2" "roster: one that knows nobody is an error"
-    says 'no column has the name of a submission in it, `doe` say' "$work/roster-out-said" "roster: which says so"
+    says 'no column has the name of a submission in it, `doe-2026-11-30` say' "$work/roster-out-said" "roster: which says so"
     PHOTONLAB_DIR=$work/roster PHOTONLAB_OUT=$work/roster-out PHOTONLAB_ROSTER=$work/few.csv \
         bash "$here/class.sh" plan >"$work/roster-out-said" 2>&1
     says 'few.csv knows only 1 of 3 submissions, by its column `mail`. Not in it: `poe`, `roe`' "$work/roster-out-said" \
