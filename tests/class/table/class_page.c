@@ -21,19 +21,19 @@ const char page_style[] =
     "td.n{text-align:right;font-variant-numeric:tabular-nums}td.m{font-family:monospace;white-space:pre}"
     ".bar{background:#8cb4e8;height:.8em}h2{margin-top:2em}#all th{cursor:pointer}.kinds{display:flex;flex-wrap:wrap;gap:1.5em}"
     "figure{margin:0;width:16em}figure .bar{height:.4em}figure img{width:100%;margin-top:.5em}"
-    "summary{cursor:pointer}td details{max-width:40em}img{max-width:100%}"
+    "img{max-width:100%}"
     "@media(prefers-color-scheme:dark){body{color:#ddd;background:#181818}a{color:#8cb4e8}th,td{border-color:#444}}</style>\n";
 
 // A click on a heading sorts by it, numbers as numbers, and another click turns the order round; the field leaves only
-// the rows that hold a word.
+// the rows that hold a word. Of many rows a browser is given the first alone: it would take long over the rest.
+#define SHOWN_ROWS 500
 static const char script[] =
-    "<script>const t=document.getElementById('all'),b=t.tBodies[0];let by=-1;"
+    "<script>const t=document.getElementById('all'),b=t.tBodies[0],rows=[...b.rows];let by=-1,word='';"
+    "const show=()=>b.replaceChildren(...rows.filter(r=>r.textContent.toLowerCase().includes(word)).slice(0,%d));show();b.hidden=false;"
     "t.tHead.addEventListener('click',e=>{const th=e.target.closest('th');if(!th)return;const c=th.cellIndex,up=by===c;by=up?-1:c;"
-    "const k=[...b.rows].map(r=>[r.cells[c].dataset.n||r.cells[c].textContent,r]);"
-    "k.sort((x,y)=>{const d=x[0]-y[0];return(isNaN(d)?x[0].localeCompare(y[0]):d)*(up?-1:1)});"
-    "b.append(...k.map(x=>x[1]))});"
-    "document.getElementById('find').addEventListener('input',e=>{const w=e.target.value.toLowerCase();"
-    "for(const r of b.rows)r.hidden=!r.textContent.toLowerCase().includes(w)})</script>\n";
+    "const k=new Map(rows.map(r=>[r,r.cells[c].dataset.n||r.cells[c].textContent])),o=new Intl.Collator();"
+    "rows.sort((x,y)=>{const a=k.get(x),b=k.get(y),d=a-b;return(isNaN(d)?o.compare(a,b):d)*(up?-1:1)});show()});"
+    "document.getElementById('find').addEventListener('input',e=>{word=e.target.value.toLowerCase();show()})</script>\n";
 
 static const char *mark_of(const char *status)
 {
@@ -105,26 +105,20 @@ static void write_mistakes(FILE *stream, const Table *table)
     free(who);
 }
 
-// The message, and what went wrong in each step; folded, as it is long.
+// The message; under the pointer what went wrong in each step, which would be too long to stand there.
 static void write_note(FILE *stream, const Student *student)
 {
     size_t said = 0;
-    for (size_t i = 0; i < STEP_COUNT; i++)
-        said += *student->steps[i].said != '\0';
-    if (said == 0) {
-        text_markup(stream, student->message);
-        return;
-    }
-    fputs("<details><summary>", stream);
-    text_markup(stream, student->message);
-    fprintf(stream, "%s%zu of what went wrong</summary>", *student->message ? "; " : "", said);
+    fputs("<td title=\"", stream);
     for (size_t i = 0; i < STEP_COUNT; i++)
         if (*student->steps[i].said) {
-            fprintf(stream, "%s: ", step_table[i].id);
+            fprintf(stream, "%s%s: ", said++ > 0 ? "&#10;" : "", step_table[i].id);
             text_markup(stream, student->steps[i].said);
-            fputs("<br>", stream);
         }
-    fputs("</details>", stream);
+    fputs("\">", stream);
+    text_markup(stream, student->message);
+    if (said > 0)
+        fprintf(stream, "%s%zu ✗ or !", *student->message ? "; " : "", said);
 }
 
 static bool is_shown(const Roster *roster, size_t column)
@@ -151,7 +145,6 @@ static void write_student(FILE *stream, const Table *table, const TableRow *row)
             fprintf(stream, "<td class=m data-n=%.4g>", s->stage_points[step_table[i].stage - 1]);
         fputs(s->steps[i].there ? mark_of(s->steps[i].status) : " ", stream);
     }
-    fputs("<td>", stream);
     write_note(stream, s);
     fputs("</tr>\n", stream);
 }
@@ -159,9 +152,12 @@ static void write_student(FILE *stream, const Table *table, const TableRow *row)
 static void write_students(FILE *stream, const Table *table)
 {
     const Csv *roster = &table->roster.csv;
-    fputs("<h2>Submissions</h2>\n<p><input id=find placeholder=\"only rows with …\"> A click on a heading sorts.</p>\n"
-          "<table id=all><thead><tr>",
-          stream);
+    fprintf(
+        stream,
+        "<h2>Submissions</h2>\n<p><input id=find placeholder=\"only rows with …\"> A click on a heading sorts; what went wrong stands "
+        "under the pointer, at the right.%s</p>\n"
+        "<noscript><style>#all tbody{display:table-row-group}</style></noscript><table id=all><thead><tr>",
+        table->count > SHOWN_ROWS ? " The first 500 that fit are shown." : "");
     for (size_t c = 0; c < roster->columns; c++)
         if (is_shown(&table->roster, c)) {
             fputs("<th>", stream);
@@ -170,11 +166,11 @@ static void write_students(FILE *stream, const Table *table)
     fputs("<th>submission<th>status<th>points", stream);
     for (int i = 1; i <= STAGE_COUNT; i++)
         fprintf(stream, "<th>stage %d", i);
-    fputs("<th>remarks</tr></thead>\n<tbody>\n", stream);
+    fputs("<th>remarks</tr></thead>\n<tbody hidden>\n", stream);
     for (size_t r = 0; r < table->count; r++)
         write_student(stream, table, &table->rows[r]);
     fputs("</tbody></table>\n", stream);
-    fputs(script, stream);
+    fprintf(stream, script, SHOWN_ROWS);
 }
 
 void page_write(FILE *stream, const Table *table)
