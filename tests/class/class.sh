@@ -114,7 +114,7 @@ plan() {
     directory=$PHOTONLAB_DIR
     if [ -f "$directory" ]; then # the one zip that Canvas and Moodle give out
         directory=$out/.parts/unzipped
-        rm -rf "$directory" && unzip -qq "$PHOTONLAB_DIR" -d "$directory" >/dev/null ||
+        rm -rf "$directory" && { unzip -qqo "$PHOTONLAB_DIR" -d "$directory" >/dev/null; [ $? -le 1 ]; } ||
             stop "$PHOTONLAB_DIR: neither a folder nor a zip"
     fi
     directory=$(cd "$directory" && pwd)
