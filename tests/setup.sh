@@ -9,7 +9,10 @@ packages="gcc make pkg-config libpng-dev libyaml-dev binutils libgsl-dev libjans
 for target in "$@"; do
     case $target in
     bench) packages="$packages g++ libnanoflann-dev libembree-dev povray xz-utils" ;;
-    wasm | site | check-wasm | check-site) packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs" ;;
+    wasm | site | *-wasm | *-site)
+        packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs"
+        case $target in *-site) packages="$packages npm chromium firefox-esr xvfb xauth" ;; esac
+        ;;
     class-alike | check-alike) packages="$packages python3-venv" ;;
     check* | reference | agreement | bench-* | calibrate | fuzz* | *figures | *-table)
         packages="$packages libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"

@@ -33,7 +33,7 @@ function tick(name, words, then) {
 // `get` and `set`: of the number. Over several powers of ten (`logarithmic`) the slider's own steps are those of the logarithm.
 // `least`: the word for the lowest place.
 function slider(id, words, {low, high, whole = false, logarithmic = false, least = null, unit = ''}, get, set) {
-    const input = element('input', {type: 'range', id, min: 0, max: whole && !logarithmic ? high - low : 1000})
+    const input = element('input', {type: 'range', id, min: 0, max: logarithmic ? 200 : whole ? high - low : 1000})
     const output = element('output')
     const placeOf = value => (logarithmic ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low))
     const value = () => {
