@@ -37,6 +37,7 @@ $(WASM)/%.o: %.c | wasm-tools
 
 .PHONY: wasm-tools
 wasm-tools:
+	@[ -n "$(STEP_SOURCES)" ] || { echo "The module is made with the solutions, whose sources are not here." >&2; exit 1; }
 	@echo 'int main(void){return 0;}' | $(WASM_CC) --target=wasm32-wasi -include stdlib.h -x c - -o /dev/null 2>/dev/null || \
 	    { echo "A compiler for WebAssembly is missing. On Debian: sudo apt-get install clang lld wasi-libc libclang-rt-dev-wasm32" >&2; exit 1; }
 
