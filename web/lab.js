@@ -62,15 +62,15 @@ function tell() {
     const {photons, emitted, passes} = state.lab.collected(), count = number => number.toLocaleString('en-GB')
     const words = [`${count(emitted)} photons, ${count(photons)} stored`]
     if (state.seconds) words[0] += `, ${state.seconds.toFixed(2)} s`
-    if (state.rendering) words.push(passes ? `rendered: ${passes} pass${passes === 1 ? '' : 'es'}` : 'the picture is on its way')
+    if (state.rendering) words.push(passes ? `${passes} pass${passes === 1 ? '' : 'es'}` : 'the picture is on its way')
     if (state.said) words.push(state.said)
-    const legend = state.lab.legend().map(([colour, text]) => {
+    const legend = (state.rendering ? [] : state.lab.legend()).map(([colour, text]) => {
         const patch = element('span')
         patch.style.background = colour
         return element('li', {}, patch, text)
     })
     $('legend').replaceChildren(...legend)
-    $('description').textContent = state.lab.describe()
+    $('description').textContent = state.rendering ? `what you see, rendered; light by ${state.lab.get('integrator')}` : state.lab.describe()
     $('status').textContent = words.join(' · ')
 }
 
