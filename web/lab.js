@@ -1,7 +1,7 @@
 // The lab: the preview in a page.
 
 const $ = id => document.getElementById(id)
-const MOVING_POINTS = 60000 // drawn while the camera moves; all are when it rests
+const MOVING_POINTS = 50000 // drawn while the camera moves; all are when it rests
 const REST = 180 // ms without a movement
 const PART = 4000 // paths of a part of a run
 const PASSES = 64 // of a rendered picture
