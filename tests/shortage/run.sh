@@ -38,7 +38,7 @@ arguments() {
 
 # starve NAME: with each of its allocations failing.
 starve() {
-    local name=$1 all code i told=0 wrong=""
+    local name=$1 all code i left told=0 wrong=""
     # shellcheck disable=SC2046  # the words are meant to fall apart
     COUNTED=$work/count LD_PRELOAD=$work/short.so "$program" $(arguments "$name" "$work/whole") >"$work/said" 2>&1 || wrong="does not run: $(tail -1 "$work/said"); "
     all=$(cat "$work/count")
@@ -49,7 +49,9 @@ starve() {
         [ $code -le 1 ] || wrong+="$i: exit code $code; "
         [ $code = 0 ] || [ -s "$work/said" ] || wrong+="$i: no word; "
         [ $code = 0 ] || told=$((told + 1))
-        if [ $code = 1 ] && ls "$work"/out.* >/dev/null 2>&1; then wrong+="$i: left $(ls "$work"/out.*); "; fi
+        for left in "$work"/out.*; do # by passes, the picture of those before is there, and whole
+            [ $code = 0 ] || [ ! -e "$left" ] || "$program" diff "$left" "$left" >/dev/null 2>&1 || wrong+="$i: left $left; "
+        done
         if [ $code = 0 ] && ! ls "$work"/out.* >/dev/null 2>&1; then wrong+="$i: nothing written; "; fi
     done
     [ -z "$wrong" ] && good "$name: $all allocations, $(((all + every - 1) / every)) failed in turn, $told told, no harm otherwise" ||
