@@ -30,9 +30,9 @@ kilobytes_of() { awk '/^VmRSS/ { print $2 }' "/proc/$1/status"; }
 # one_save FILE: and wait for its photons.
 one_save() {
     local told
-    told=$(lines_of 'after the save')
+    told=$(lines_of 'stored of .* after the save')
     save $step <"$1"
-    wait_for ${2:-$wait_before} said_again 'after the save' "$told"
+    wait_for ${2:-$wait_before} said_again 'stored of .* after the save' "$told"
 }
 
 many_saves() {
@@ -67,9 +67,9 @@ replaced() {
 clock_jumps() {
     local day told
     for day in 1999-01-01 2099-01-01; do
-        told=$(lines_of 'after the save')
+        told=$(lines_of 'stored of .* after the save')
         cp "$work/other.c" "$work/saved" && touch -d $day "$work/saved" && mv "$work/saved" "$student/$step"
-        wait_for $wait_before said_again 'after the save' "$told" && good "a save of $day" || bad "a save of $day: $(tail -2 "$log")"
+        wait_for $wait_before said_again 'stored of .* after the save' "$told" && good "a save of $day" || bad "a save of $day: $(tail -2 "$log")"
     done
     one_save "$work/good.c" && good "and one of today" || bad "none of today: $(tail -2 "$log")"
 }
@@ -83,7 +83,7 @@ no_room() {
     save $step <"$work/other.c"
     told "no room for the compiler" 'No space left|[Nn]o usable temporary|cannot|error'
     rm "$work/room/full"
-    one_save "$work/good.c" && good "room again: $(grep 'after the save' "$log" | tail -1)" || bad "room again: $(tail -3 "$log")"
+    one_save "$work/good.c" && good "room again: $(grep 'stored of .* after the save' "$log" | tail -1)" || bad "room again: $(tail -3 "$log")"
 }
 
 mkdir "$work/room" && mount -t tmpfs -o size=64k none "$work/room" 2>/dev/null &&
