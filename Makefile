@@ -3,6 +3,10 @@
 # One tree of objects per BUILD directory, so that variants (sanitizers, another compiler, native code) stand side by side:
 #     make BUILD=build/clang CC=clang
 
+ifneq ($(filter 3.%,$(MAKE_VERSION)),)
+$(error this is make $(MAKE_VERSION), and photonlab needs 4 or later; on a Mac: brew install make, then gmake)
+endif
+
 ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 endif
@@ -30,7 +34,10 @@ SYSTEM := $(shell uname -s)
 
 # Same bytes from every compiler: no fused multiply-add, no fast-math. errno of sqrtf is not wanted.
 OPTIMISE ?= -O3
-STANDARD  = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 $(OWN_NAMES) -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno
+STANDARD  = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 $(OWN_NAMES) -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno $(FLOATS)
+# Floats are computed as floats: gcc would take doubles on s390x, and an old coprocessor on i386.
+FLOATS := $(shell for by in "" -fexcess-precision=fast "-msse2 -mfpmath=sse"; do \
+              [ "`echo __FLT_EVAL_METHOD__ | $(CC) -std=c99 $$by -E -P -x c - 2>/dev/null`" != 0 ] || { echo "$$by"; break; }; done)
 PACKAGES  = libpng yaml-0.1
 PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
@@ -39,10 +46,11 @@ PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null
 ifeq ($(SYSTEM),Darwin)
 # Apple's compilers do not look where Homebrew puts things, and know OpenMP under another name.
 BREW      := $(shell brew --prefix 2>/dev/null)
+BREW_AT    = $(BREW) $(addprefix $(BREW)/opt/,$(if $(BREW),libomp libarchive))
 OWN_NAMES  = -D_DARWIN_C_SOURCE
 OPENMP_BY  = -fopenmp -Xpreprocessor@-fopenmp@-lomp
-PKG_CFLAGS += $(foreach at,$(BREW) $(BREW:=/opt/libomp),-isystem $(at)/include)
-PKG_LIBS   += $(foreach at,$(BREW) $(BREW:=/opt/libomp),-L$(at)/lib)
+PKG_CFLAGS += $(BREW_AT:%=-isystem %/include)
+PKG_LIBS   += $(BREW_AT:%=-L%/lib)
 SHARED     = -dynamiclib -install_name @rpath/libphotonlab.so
 PLUGIN     = -dynamiclib -undefined dynamic_lookup
 ORIGIN     = @loader_path

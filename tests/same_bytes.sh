@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # The same bytes for 1, 2 and 7 threads and from two compilers. Usage: same_bytes.sh PROGRAM OTHER_PROGRAM
+# The same from another machine's program alone: same_bytes.sh PROGRAM OTHER_PROGRAM MACHINE
 set -u
 here=$(dirname "$0")
 . "$here/common.sh"
 ours=$1
 other=$2
+threads="2 7" who="gcc and clang"
+[ $# -lt 3 ] || threads="" who="here and $3"
 
 # same NAME ENDING ARGUMENTS…: what the arguments write, by every number of threads and both programs.
 same() {
@@ -13,13 +16,13 @@ same() {
     rm -f "$work"/one* "$work"/many* "$work"/other*
     "$ours" "$@" --quiet --threads 1 -o "$work/one$ending" || { bad "$name: does not run"; return; }
     local t
-    for t in 2 7; do
+    for t in $threads; do
         rm -f "$work/many$ending"
         "$ours" "$@" --quiet --threads $t -o "$work/many$ending"
         compare $? "$work/one$ending" "$work/many$ending" "$name: 1 and $t threads"
     done
     "$other" "$@" --quiet --threads 2 -o "$work/other$ending"
-    compare $? "$work/one$ending" "$work/other$ending" "$name: gcc and clang"
+    compare $? "$work/one$ending" "$work/other$ending" "$name: $who"
 }
 
 # compare CODE ONE OTHER NAME: did the run that wrote the other file end with 0, and are both the same?

@@ -18,7 +18,7 @@ for target in "$@"; do
         packages="$packages libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"
         ;;
     esac
-    case $target in check-macos | check-elsewhere | check-ci) packages="$packages python3-pip" ;; esac
+    case $target in check-macos | check-elsewhere | check-ci) packages="$packages python3-pip busybox original-awk libarchive-tools" ;; esac
     case $target in fuzz*) packages="$packages libclang-rt-dev" ;; esac
 done
 # Newer systems have dropped these, or call them otherwise.

