@@ -20,3 +20,8 @@ check-macos: $(ZIG) $(SHELLCHECK) $(BUILD)/object_names
 ##check long check-elsewhere  the same bytes from musl, i386, s390x and aarch64, emulated: MACHINES=s390x (ten minutes)
 check-elsewhere: all meshes
 	@bash tests/elsewhere/machines.sh $(BUILD) $(PROGRAM) $(MACHINES)
+
+##check long check-ci  the files for GitHub's and GitLab's machines, by their schemas
+JSONSCHEMA = $(BUILD)/tools/check-jsonschema-0.39.0
+check-ci: $(JSONSCHEMA) $(SHELLCHECK)
+	@bash tests/elsewhere/ci.sh $(JSONSCHEMA) $(SHELLCHECK)/bin/shellcheck
