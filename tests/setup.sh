@@ -15,9 +15,11 @@ for target in "$@"; do
         ;;
     class-alike | check-alike) packages="$packages python3-venv" ;;
     check* | reference | agreement | bench-* | calibrate | fuzz* | *figures | *-table)
-        packages="$packages libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"
+        packages="$packages git libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"
         ;;
     esac
+    [ "$target" != check-elsewhere ] || packages="$packages qemu-user-static musl-tools dpkg-dev gcc-i686-linux-gnu gcc-s390x-linux-gnu
+        gcc-aarch64-linux-gnu libc6-dev-i386-cross libc6-dev-s390x-cross libc6-dev-arm64-cross"
     case $target in check-macos | check-elsewhere | check-ci) packages="$packages python3-pip busybox original-awk libarchive-tools" ;; esac
     case $target in fuzz*) packages="$packages libclang-rt-dev" ;; esac
 done

@@ -17,7 +17,7 @@ check-macos: $(ZIG) $(SHELLCHECK) $(BUILD)/object_names
 	@bash tests/elsewhere/macos.sh $(BUILD) $(ZIG)/ziglang/zig $(BUILD)/object_names
 	@bash tests/elsewhere/scripts.sh $(SHELLCHECK)/bin/shellcheck
 
-##check long check-elsewhere  the same bytes from musl, i386, s390x and aarch64, emulated: MACHINES=s390x (ten minutes)
+##check long check-elsewhere  the same bytes from i386, s390x and aarch64, emulated, the same means from musl: MACHINES=s390x
 check-elsewhere: all meshes
 	@bash tests/elsewhere/machines.sh $(BUILD) $(PROGRAM) $(MACHINES)
 
