@@ -86,17 +86,14 @@ clopper_pearson() {
 
 # For awk, on lines "CASE STEP STATUS POINTS MISTAKE": was a known mistake named rightly? Mistakes of one text are one.
 named_rightly='
-    function text_of(id,    line, file) {
-        if (!(id in text)) {
-            file = "tests/mistakes/" id "/text"
-            line = file
-            getline line < file
-            close(file)
-            text[id] = line
+    BEGIN {
+        texts = "bash -c \". tests/judge/grader_cases.sh; mistake_texts\""
+        while ((texts | getline line) > 0) {
+            split(line, known, "\t")
+            text[known[1]] = known[2]
         }
-        return text[id]
     }
     function named_rightly(    part) {
         split($1, part, "/")
-        return part[1] != "unknown" && $5 != "-" && text_of(part[2]) == text_of($2 "_" $5)
+        return part[1] != "unknown" && $5 != "-" && text[part[2]] == text[$2 "_" $5]
     }'

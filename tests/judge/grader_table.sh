@@ -49,6 +49,7 @@ write_table() {
         read -r right wrong silent < <(named b "$quick")
         echo
         echo "Diagnosis of the patches in another's hand: $right named rightly, $wrong wrongly, $silent not at all (each mistake by name: mistakes/confusion.txt)."
+        echo "More known mistakes, single edits (mistakes/more.txt): $(count '^more/[^ ]* [^ ]* fail' "$quick") of $(count '^more/' "$quick") caught."
         if [ -e "$matrix" ]; then
             echo "gcc and clang, -O0 and -O2, two salts: $(wc -l <"$matrix") gradings; $(cut -d ' ' -f 1-4 "$matrix" | sort -u | wc -l) different verdicts for $(cut -d ' ' -f 1 "$matrix" | sort -u | wc -l) cases."
         fi
