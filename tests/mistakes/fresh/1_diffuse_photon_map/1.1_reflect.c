@@ -3,6 +3,8 @@
 //3 plus_for_minus      added
 //4 -                   the absolute value of the cosine
 //5 normal_alone        gives the normal
+//11 -                   halfway between direction and normal
+//12 -                   only the side along the surface is kept
 #include "photonlab.h"
 Vec3 reflect(Vec3 D, Vec3 N)
 {
@@ -15,5 +17,9 @@ Vec3 reflect(Vec3 D, Vec3 N)
     out.x = (float)(D.x - f * c * N.x), out.y = (float)(D.y - f * c * N.y), out.z = (float)(D.z - f * c * N.z);
     if (MISTAKE == 2)
         out.x = -out.x, out.y = -out.y, out.z = -out.z;
+    if (MISTAKE == 11)
+        return vec3_normalize(vec3_add(D, N));
+    if (MISTAKE == 12)
+        return vec3_normalize(vec3_sub(D, vec3_scale(N, (float)c)));
     return MISTAKE == 5 ? N : out;
 }

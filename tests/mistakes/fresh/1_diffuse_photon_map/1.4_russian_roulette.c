@@ -5,6 +5,8 @@
 //5 absorbed_changed     changed before the draw
 //6 -                    the product of the three reflectances
 //7 reflectance_missing  divided, but not coloured
+//11 reweighted_twice     over the square
+//12 power_as_probability the mean of what is reflected
 #include "photonlab.h"
 bool russian_roulette(Colour *P, Colour rho, Rng *rng)
 {
@@ -18,6 +20,8 @@ bool russian_roulette(Colour *P, Colour rho, Rng *rng)
         q = fmaxf(fmaxf(rho.r, rho.g), rho.b);
     if (MISTAKE == 6)
         q = rho.r * rho.g * rho.b;
+    if (MISTAKE == 12)
+        q = out / 3.0f;
     Colour after = {P->r * rho.r, P->g * rho.g, P->b * rho.b};
     if (MISTAKE == 7)
         after = *P;
@@ -26,5 +30,7 @@ bool russian_roulette(Colour *P, Colour rho, Rng *rng)
     bool lives = rng_float(rng) < q;
     if (lives && MISTAKE != 5)
         *P = MISTAKE == 4 ? after : colour_scale(after, 1.0f / q);
+    if (lives && MISTAKE == 11)
+        *P = colour_scale(*P, 1.0f / q);
     return MISTAKE == 3 ? !lives : lives;
 }

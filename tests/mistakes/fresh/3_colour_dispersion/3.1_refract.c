@@ -4,6 +4,8 @@
 //4 eta_not_squared    eta for its square
 //5 eta_missing        d for ηd
 //6 -                  the tangent of the angle
+//11 plus_for_minus  the other side
+//12 angles_for_sines    angles in place of sines
 #include "photonlab.h"
 bool refract(Vec3 d, Vec3 n, float eta, Vec3 *t)
 {
@@ -14,7 +16,9 @@ bool refract(Vec3 d, Vec3 n, float eta, Vec3 *t)
             return false;
         k = 0.0;
     }
-    double ct = MISTAKE == 3 ? k : sqrt(k), a = MISTAKE == 5 ? 1.0 : h, b = h * ci - ct;
+    if (MISTAKE == 12)
+        k = pow(cos(fmin(h * acos(fmin(1.0, ci)), 1.5707)), 2.0);
+    double ct = MISTAKE == 3 ? k : sqrt(k), a = MISTAKE == 5 ? 1.0 : h, b = MISTAKE == 11 ? h * ci + ct : h * ci - ct;
     *t = vec3((float)(a * d.x + b * n.x), (float)(a * d.y + b * n.y), (float)(a * d.z + b * n.z));
     return true;
 }

@@ -4,6 +4,8 @@
 //4 splits_again       coloured photons split, too
 //5 not_copied         nothing is filled in for the one
 //6 -                  each child lacks its own channel
+//11 mean_power       the mean of the channels
+//12 only_one_returned  three are made
 #include "photonlab.h"
 int split_colour(const Photon *p, const Material *m, Photon out[3])
 {
@@ -16,6 +18,8 @@ int split_colour(const Photon *p, const Material *m, Photon out[3])
         if (MISTAKE != 2)
             child.colour = names[i];
         Colour c = p->power;
+        if (MISTAKE == 11)
+            c = colour_grey((c.r + c.g + c.b) / 3.0f);
         if (MISTAKE == 3)
             child.power = colour_scale(c, 1.0f / 3.0f);
         else if (MISTAKE == 6)
@@ -24,5 +28,5 @@ int split_colour(const Photon *p, const Material *m, Photon out[3])
             child.power = colour(i == 0 ? c.r : 0.0f, i == 1 ? c.g : 0.0f, i == 2 ? c.b : 0.0f);
         out[i] = child;
     }
-    return whole ? 1 : 3;
+    return whole || MISTAKE == 12 ? 1 : 3;
 }

@@ -4,6 +4,9 @@
 //4 distance_not_kept        no distances
 //5 divided_by_rings         over the rings alone
 //6 -                        the first sector is sent twice
+//11 pi_missing               no π
+//12 last_ring_left_out       one ring short
+//13 -                        twice as much for the first ring
 #include "photonlab.h"
 Colour gather_hemisphere(GatherTrace *T, const Hit *hit, Hemisphere *out, Rng *rng)
 {
@@ -16,9 +19,13 @@ Colour gather_hemisphere(GatherTrace *T, const Hit *hit, Hemisphere *out, Rng *r
         out->radiance[j][k] = L;
         if (MISTAKE != 4)
             out->distance[j][k] = gather_distance(T);
-        float w = MISTAKE == 1 ? local.z : 1.0f;
+        if (MISTAKE == 12 && j == GATHER_RINGS - 1)
+            continue;
+        float w = MISTAKE == 13 && j == 0 ? 2.0f : MISTAKE == 1 ? local.z : 1.0f;
         R += w * L.r, G += w * L.g, B += w * L.b;
     }
     float n = MISTAKE == 5 ? GATHER_RINGS : GATHER_RINGS * GATHER_SECTORS, s = (MISTAKE == 3 ? 2.0f * PI : PI) / n;
+    if (MISTAKE == 11)
+        s /= PI;
     return colour(R * s, G * s, B * s);
 }

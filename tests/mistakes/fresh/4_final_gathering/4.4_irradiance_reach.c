@@ -3,6 +3,8 @@
 //3 longest_missing      no upper bound
 //4 nearest              the shortest one
 //5 -                    the mean of the two extremes
+//11 shortest_missing     no lower bound
+//12 count_missing        one over the sum
 #include "photonlab.h"
 float irradiance_reach(const Hemisphere *s, float lo, float hi)
 {
@@ -14,6 +16,8 @@ float irradiance_reach(const Hemisphere *s, float lo, float hi)
         least = fminf(least, d[i]), most = fmaxf(most, d[i]);
     }
     float R = sum > 0.0 ? (float)(n / sum) : hi;
+    if (MISTAKE == 12 && sum > 0.0)
+        R = (float)(1.0 / sum);
     if (MISTAKE == 1)
         R = (float)(direct / n);
     if (MISTAKE == 2)
@@ -22,5 +26,5 @@ float irradiance_reach(const Hemisphere *s, float lo, float hi)
         R = least;
     if (MISTAKE == 5)
         R = 0.5f * (least + most);
-    return R < lo ? lo : R > hi && MISTAKE != 3 ? hi : R;
+    return R < lo && MISTAKE != 11 ? lo : R > hi && MISTAKE != 3 ? hi : R;
 }

@@ -4,11 +4,13 @@
 //4 equal_energy_missing     not divided
 //5 third_lobe_missing       the small lobe forgotten
 //6 -                        all widths a tenth too large
+//11 widths_swapped           above for below
+//12 one_white_for_all        green's for all
 #include "photonlab.h"
 #define G(c, a, b) gauss((double)w - c, a, b)
 static double gauss(double d, double a, double b)
 {
-    double s = d < 0.0 ? a : b;
+    double s = (MISTAKE == 11 ? d > 0.0 : d < 0.0) ? a : b;
     if (MISTAKE == 6)
         s *= 1.1;
     return exp(-d * d / ((MISTAKE == 1 ? 1.0 : 2.0) * s * s));
@@ -25,7 +27,7 @@ Colour wavelength_colour(float w)
     if (MISTAKE == 3)
         c[0] = x, c[1] = y, c[2] = z;
     for (int i = 0; i < 3; i++) {
-        c[i] /= MISTAKE == 4 ? 1.0 : e[i];
+        c[i] /= MISTAKE == 4 ? 1.0 : MISTAKE == 12 ? e[1] : e[i];
         if (MISTAKE == 2 && c[i] < 0.0)
             c[i] = 0.0;
     }
