@@ -39,7 +39,7 @@ done
 
 # Objects, pictures, kept copies and links stay here. make test and make class take the same.
 (find exercises -type f \( -name '*.c' -o -name '*.h' -o -name '*.inl' \) ! -path '*/.*' | LC_ALL=C sort) >"$work/list"
-find exercises ! -type d ! -path '*/.*' ! -name README.md | grep -vxFf "$work/list" | sed 's/^/left here:   /'
+find exercises ! -type d ! -path '*/.*' ! -name README.md ! -name '*.png' | grep -vxFf "$work/list" | sed 's/^/left here:   /'
 while IFS= read -r file; do
     size=$(wc -c <"$file")
     if [ "$size" -gt $most_bytes ]; then
