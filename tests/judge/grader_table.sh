@@ -27,7 +27,7 @@ table_rows() {
             { split($1, part, "/"); kind = part[1]; made = part[2]; sub(/^[0-9.]*_/, "", made) }
             kind == "a" || kind == "b" { mistakes++; caught += $3 == "fail" }
             kind == "b" { b++; right_name = named_rightly(); named += right_name; wrong += !right_name && $5 != "-" }
-            kind == "unknown" { unknown++; unknown_caught += $3 == "fail"; silent += $5 == "-" }
+            kind == "unknown" { unknown++; unknown_caught += $3 == "fail"; silent += $5 == "-" || $5 == "factor" }
             kind == "right" { right++; right_passed += $3 == "pass" }
             kind == "solution" { points = sprintf("%.1f %s", $4, $3) }
             kind == "stub" { stub = $3 }
