@@ -145,16 +145,18 @@ static void judge_T(const PictureReference *reference, const PictureScore *score
         describe_feature(reference, score, score->worst, worst + 6, sizeof worst - 6);
     }
     finding_p(finding, score->T > reference->T ? 0.0 : 1.0, -1,
-              "wrong picture: %s%s (T = %.1f; right code stays below %.1f)", first, worst, score->T, reference->T);
+              "wrong picture: %s%s (the worst patch is T = %.1f standard deviations off; right code stays below %.1f)",
+              first, worst, score->T, reference->T);
 }
 
 static void judge_V(const PictureReference *reference, const PictureScore *score, Finding *finding)
 {
     double ratio = exp(score->log_variance);
-    finding_p(finding, fabs(score->log_variance) > reference->V ? 0.0 : 1.0, -1,
-              "right picture, but from another estimator: its noise has %.2f times the variance that it should have "
-              "(V = %.2f; right code stays below %.2f). Look at the number of photons, the radius and the filter",
-              ratio, fabs(score->log_variance), reference->V);
+    finding_p(
+        finding, fabs(score->log_variance) > reference->V ? 0.0 : 1.0, -1,
+        "right picture, but from another estimator: its noise has %.2f times the variance that it should have "
+        "(V = %.2f, that in logarithms; right code stays below %.2f). Look at the number of photons, the radius and the filter",
+        ratio, fabs(score->log_variance), reference->V);
 }
 
 // ---- the verdict ----
