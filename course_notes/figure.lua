@@ -48,8 +48,15 @@ end
 -- Written into the page, so that a page is one file wherever it is copied to.
 local function embedded(path)
     local types = { png = "image/png", svg = "image/svg+xml", jpg = "image/jpeg" }
-    local bytes = read_file(path)
-    return bytes and "data:" .. (types[path:match("%w+$")] or "image/png") .. ";base64," .. base64(bytes) or ""
+    local bytes, kind = read_file(path), types[path:match("%w+$")] or "image/png"
+    if bytes and os.getenv("NOTES_LIVE") and kind == "image/png" then -- a tenth of the bytes for those who load it
+        local pipe = io.popen("cwebp -quiet -q 90 -sharp_yuv '" .. path .. "' -o - 2>/dev/null")
+        local packed = pipe:read("a")
+        if pipe:close() and #packed > 0 and #packed < #bytes then
+            bytes, kind = packed, "image/webp"
+        end
+    end
+    return bytes and "data:" .. kind .. ";base64," .. base64(bytes) or ""
 end
 
 local function inlines_of(markdown)
@@ -60,6 +67,17 @@ local function inlines_of(markdown)
         end
     end
     return inlines
+end
+
+-- Where the page has the module, a figure that can be moved stands below its picture, or in its place: web/figures/.
+local function live_html(attributes)
+    if not attributes.live or not os.getenv("NOTES_LIVE") then
+        return ""
+    end
+    local function data(name)
+        return attributes[name] and " data-" .. name .. '="' .. escape(attributes[name]) .. '"' or ""
+    end
+    return '<div class="live"' .. data("live") .. data("parts") .. data("pair") .. '><p class="try">' .. escape(attributes.try or "") .. "</p></div>"
 end
 
 -- A click on a picture, or the space key, fills the window with it: a box to tick, and the style does the rest.
@@ -73,7 +91,7 @@ local function figure_html(block, caption, number)
         raw('<figure' .. (id ~= "" and ' id="' .. id .. '"' or "") .. ">"),
         raw('<label class="zoom"><input type="checkbox" aria-label="enlarge the picture" /><img src="' .. embedded(figures .. "/" .. a.file) ..
             '" alt="' .. escape(a.alt or "") .. '"' .. class .. style .. " /></label>"),
-        raw("<figcaption>"), pandoc.Plain(caption), raw("</figcaption>"),
+        raw("<figcaption>"), pandoc.Plain(caption), raw("</figcaption>"), raw(live_html(a)),
         raw('<pre class="command" tabindex="0">' .. escape(block.text) .. "</pre>"), raw("</figure>"),
     }
 end

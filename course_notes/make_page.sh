@@ -1,9 +1,8 @@
 #!/bin/sh
-# One chapter as one HTML file. Usage: make_page.sh BUILD NAME
+# One chapter as one HTML file. Usage: make_page.sh FOLDER NAME [MODULE.wasm]: with the module, figures that can be moved move.
 set -eu
-build=$1 name=$2
+out=$1 name=$2 module=${3:-}
 here=course_notes
-out=$build/notes
 mkdir -p "$out/.parts"
 
 # Style and template in one, so that the page needs no other file.
@@ -27,6 +26,7 @@ set -- -f markdown -t html5 --standalone --mathml --no-highlight --toc --toc-dep
 [ -z "$before" ] || set -- "$@" -V "previous=${before%%"$tab"*}" -V "previous-title=${before#*"$tab"}"
 [ -z "$after" ] || set -- "$@" -V "next=${after%%"$tab"*}" -V "next-title=${after#*"$tab"}"
 [ "$name" = index ] || set -- "$@" -V contents=1
+[ -z "$module" ] || export NOTES_LIVE=1
 NOTES_PAGE=$name NOTES_PAGES=$out/.pages NOTES_FIGURES=$here/figures \
     pandoc "$@" -o "$out/.parts/$name.html" "$here/$name.md"
 
@@ -51,4 +51,9 @@ s@(</mo>(<mspace [^>]*></mspace>)*)<mo>−</mo>@\1<mo form="prefix">−</mo>@g
 s@<mo>=</mo>(</mrow><annotation)@<mo rspace="0">=</mo>\1@g
 SPACES
 sed -E -f "$out/.parts/$name.sed" "$out/.parts/$name.html" >"$out/.parts/$name.spaced"
+
+if [ -n "$module" ] && grep -q 'class="live"' "$out/.parts/$name.spaced"; then
+    sh web/figures/add_figures.sh "$module" "$out/.parts/$name.spaced" >"$out/.parts/$name.live"
+    mv "$out/.parts/$name.live" "$out/.parts/$name.spaced"
+fi
 mv "$out/.parts/$name.spaced" "$out/$name.html"

@@ -1,7 +1,9 @@
 # The course notes: course_notes/*.md become pages in $(BUILD)/notes/. Included by the Makefile.
 
 NOTES_SOURCES = $(filter-out %/index.md $(NOTES_WITHOUT:%=\%/%.md),$(wildcard course_notes/*.md))
-NOTES_PAGES   = $(patsubst course_notes/%.md,$(BUILD)/notes/%.html,$(NOTES_SOURCES) $(wildcard course_notes/index.md))
+# Where the pages go; of a site, they have live figures.
+NOTES         = $(BUILD)/notes
+NOTES_PAGES   = $(patsubst course_notes/%.md,$(NOTES)/%.html,$(NOTES_SOURCES) $(wildcard course_notes/index.md))
 NOTES_TOOLS   = $(addprefix course_notes/,make_page.sh template.html style.css figure.lua words.lua formula.lua paper.lua word_index.lua)
 NOTES_FIGURES = $(wildcard course_notes/figures/*.*)
 NOTES_HELPERS = $(patsubst course_notes/figures/src/%.c,$(BUILD)/figures/%,$(wildcard course_notes/figures/src/*.c))
@@ -14,19 +16,19 @@ notes-pandoc:
 
 # Which chapters there are, in order, with their titles: touched only when that changes, since every page names its neighbours.
 notes-list:
-	@mkdir -p $(BUILD)/notes
+	@mkdir -p $(NOTES)
 	@for page in $(NOTES_SOURCES); do printf '%s\t%s\n' "`basename $$page .md`" \
-	    "`sed -n '/^# /{s/^# *//; s/ *{[^}]*}$$//; p; q;}' $$page`"; done | LC_ALL=C sort >$(BUILD)/notes/.pages.new
-	@cmp -s $(BUILD)/notes/.pages.new $(BUILD)/notes/.pages || cp $(BUILD)/notes/.pages.new $(BUILD)/notes/.pages
-$(BUILD)/notes/.pages: notes-list ;
+	    "`sed -n '/^# /{s/^# *//; s/ *{[^}]*}$$//; p; q;}' $$page`"; done | LC_ALL=C sort >$(NOTES)/.pages.new
+	@cmp -s $(NOTES)/.pages.new $(NOTES)/.pages || cp $(NOTES)/.pages.new $(NOTES)/.pages
+$(NOTES)/.pages: notes-list ;
 
 # A page holds its figures.
 .SECONDEXPANSION:
-$(BUILD)/notes/%.html: course_notes/%.md $(BUILD)/notes/.pages $(NOTES_TOOLS) $$(if $$(PANDOC),,notes-pandoc) \
+$(NOTES)/%.html: course_notes/%.md $(NOTES)/.pages $(NOTES_TOOLS) $$(if $$(PANDOC),,notes-pandoc) \
                        $$(filter course_notes/figures/$$(firstword $$(subst _, ,$$*))_%,$$(NOTES_FIGURES)) \
-                       $$(if $$(filter index word_index,$$*),$$(NOTES_SOURCES))
+                       $$(if $$(filter index word_index,$$*),$$(NOTES_SOURCES)) $$(NOTES_MODULE) $$(if $$(NOTES_MODULE),$$(wildcard web/*.js web/figures/*))
 	$(call say,pandoc,$<)
-	$(Q)sh course_notes/make_page.sh $(BUILD) $*
+	$(Q)sh course_notes/make_page.sh $(NOTES) $* $(NOTES_MODULE)
 
 notes-pages: notes-pandoc $(NOTES_PAGES)
 

@@ -12,7 +12,7 @@ WASM_LINK  = -mexec-model=reactor -Wl,--import-undefined -Wl,--strip-all -Wl,--s
 WASM_WITHOUT = lib/base/crash_% lib/base/process.c lib/base/file_disk.c lib/image/png.c lib/render/passes/pass_file.c lib/steps/steps_load.c lib/preview/draw/context/%
 WASM_SOURCES = $(filter-out $(WASM_WITHOUT),$(LIBRARY_SOURCES) $(call find_c,lib/preview/draw lib/preview/record lib/preview/view) \
                $(addprefix lib/preview/run/worker_,work.c photons.c looks.c render.c) \
-               $(STEP_SOURCES) $(wildcard web/*.c))
+               $(STEP_SOURCES) $(wildcard web/*.c web/figures/*.c))
 LIBYAML_PARTS = api reader scanner parser
 
 .PHONY: wasm site check-wasm
@@ -52,7 +52,8 @@ $(BUILD)/site/lab.html: web/make_page.sh $(wildcard web/*.html web/*.css web/*.j
 
 ##maintainer site  the course for a web host, or a disk: build/site/
 site: $(BUILD)/site/lab.html
-	@echo "$(BUILD)/site/lab.html"
+	+@$(MAKE) --no-print-directory notes-pages NOTES=$(BUILD)/site NOTES_MODULE=$(WASM)/photonlab.wasm NOTES_WITHOUT=teachers
+	@echo "$(BUILD)/site/index.html, $(BUILD)/site/lab.html"
 
 ##check long check-wasm  the module's photons are the program's, to the byte
 check-wasm: all meshes $(WASM)/photonlab.wasm
