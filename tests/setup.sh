@@ -10,7 +10,7 @@ for target in "$@"; do
     case $target in
     bench) packages="$packages g++ libnanoflann-dev libembree-dev povray xz-utils" ;;
     wasm | site | *-wasm | *-site)
-        packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs"
+        packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs pandoc webp"
         case $target in *-site) packages="$packages npm chromium firefox-esr xvfb xauth" ;; esac
         ;;
     class-alike | check-alike) packages="$packages python3-venv" ;;

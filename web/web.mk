@@ -66,9 +66,10 @@ $(SITE_TOOLS):
 	$(Q)npm install --silent --no-fund --no-audit --prefix $(WASM) puppeteer-core
 ON_DISPLAY = $(if $(shell command -v xvfb-run 2>/dev/null),xvfb-run -a -s '-screen 0 1600x1200x24')
 
-##check long check-site  the lab in Chromium and Firefox, what of them is there: by mouse, keys and touch (two minutes); screenshots in build/web/shots/
-check-site: all meshes $(BUILD)/site/lab.html | $(SITE_TOOLS)
+##check long check-site  lab and live figures in Chromium and Firefox, what of them is there: by mouse, keys and touch (ten minutes); screenshots in build/web/shots/
+check-site: all meshes site | $(SITE_TOOLS)
 	@$(ON_DISPLAY) node tests/web/check_lab.mjs $(PROGRAM) $(BUILD)/site $(WASM) $(WASM)/shots
+	@$(ON_DISPLAY) node tests/web/check_figures.mjs $(BUILD)/site $(WASM) $(WASM)/shots
 
 ##maintainer bench-site  photon paths a second in the page against the program on one thread; frames a second while the scene is turned
 bench-site: all meshes $(BUILD)/site/lab.html | $(SITE_TOOLS)

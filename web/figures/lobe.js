@@ -17,6 +17,6 @@ figures.lobe = {
         }
         lab.draw()
         const albedo = figure.albedo[steps === '2.3' ? 1 : 2]
-        return {words: `10 000 samples at n = ${rounded(n)}, the photon coming in at ${rounded(theta)}°. Of its flux goes on: ${rounded(100 * albedo)} %.`, n, theta, steps, albedo}
+        return {words: `Samples at n = ${rounded(n)}, the photon coming in at ${rounded(theta)}°. Of its flux goes on: ${rounded(100 * albedo)} %.`, n, theta, steps, albedo}
     },
 }
