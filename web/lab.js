@@ -138,6 +138,7 @@ async function startRender() {
     $('render').textContent = 'stop'
     lab.set({rendered: 1, width, height, passes: PASSES})
     lab.begin('render')
+    tell()
     const receive = message => {
         lab.receive(message)
         wantPicture()
