@@ -33,7 +33,7 @@ for path in scenes/*.yaml; do
     small="--size 41x29 --photons 20000 --samples 1"
     same "$scene" photons .pfm render "$path" $small
     same "$scene" gather .pfm render "$path" $small --integrator gather
-    same "$scene" path .pfm render "$path" $small --integrator path
+    same "$scene" path .pfm render "$path" $small --integrator path --steps 3.4
     same "$scene" passes .pfm render "$path" $small --passes 3
     same "$scene" "stored photons" .ply photons "$path" --photons 20000
 done
