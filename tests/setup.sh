@@ -8,7 +8,7 @@ packages="gcc make pkg-config libpng-dev libyaml-dev binutils libgsl-dev libjans
 [ ! -f tests/class/teacher.mk ] || packages="$packages libarchive-dev parallel zip unzip"
 for target in "$@"; do
     case $target in
-    bench) packages="$packages g++ libnanoflann-dev libembree-dev povray xz-utils" ;;
+    bench) packages="$packages g++ libnanoflann-dev python3-pip unzip povray xz-utils" ;;
     wasm | site | *-wasm | *-site)
         packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs pandoc webp"
         case $target in *-site) packages="$packages npm chromium firefox-esr xvfb xauth" ;; esac

@@ -1,6 +1,4 @@
-// Meshes, rays and the clock for the ray benchmarks. Each program names its engine by these functions:
-//   engine_build(mesh, threads) — seconds are measured around it; engine_closest(ray) — distance, or −1;
-//   engine_occluded(ray).
+// Meshes and rays for the benchmark of rays.
 #ifndef PHOTONLAB_BENCH_RAYS_COMMON_H
 #define PHOTONLAB_BENCH_RAYS_COMMON_H
 
@@ -24,11 +22,6 @@ typedef struct {
     float origin[3], direction[3];
     float t_max;
 } BenchRay;
-
-static void engine_build(const BenchMesh *mesh, int threads);
-static float engine_closest(const BenchRay *ray);
-static bool engine_occluded(const BenchRay *ray);
-static void engine_free(void);
 
 static void add_triangle(BenchMesh *mesh, size_t a, size_t b, size_t c)
 {
@@ -182,72 +175,6 @@ static BenchRay *rays_camera(size_t *count)
                 rays[(*count)++] = (BenchRay){{0, 0, 3.9f}, {u * slope, v * slope, -1}, INFINITY};
             }
     return rays;
-}
-
-// Sends all rays `repeats` times; prints the median rate and, for the check, how many hit and at what
-// distance in total.
-static void run_rays(const char *name, const BenchRay *rays, size_t count, bool any, int threads, int repeats)
-{
-    double *times = bench_allocate((size_t)repeats, sizeof *times);
-    long hits = 0;
-    double sum = 0;
-    for (int r = 0; r < repeats; r++) {
-        double start = bench_seconds();
-        hits = 0;
-        sum = 0;
-#pragma omp parallel for schedule(static) num_threads(threads) reduction(+ : hits, sum)
-        for (size_t i = 0; i < count; i++) {
-            float t = any ? (engine_occluded(&rays[i]) ? 0.0f : -1.0f) : engine_closest(&rays[i]);
-            if (t >= 0) {
-                hits++;
-                sum += (double)t;
-            }
-        }
-        times[r] = bench_seconds() - start;
-    }
-    printf("%s_mrays %.3f\n", name, 1e-6 * (double)count / bench_median(times, repeats));
-    printf("%s_mrays_best %.3f\n", name, 1e-6 * (double)count / times[0]);
-    printf("%s_hits %ld\n", name, hits);
-    if (!any)
-        printf("%s_sum_t %.2f\n", name, sum);
-    free(times);
-}
-
-int main(int argc, char **argv)
-{
-    bool box = argc > 1 && strcmp(argv[1], "box") == 0;
-    if (argc < 3 || (!box && strcmp(argv[1], "mesh") != 0)) {
-        fprintf(stderr, "usage: %s box|mesh THREADS [RAYS] [REPEATS]\n", argv[0]);
-        return 1;
-    }
-    int threads = (int)bench_number(argc, argv, 2, 1, 1024);
-    size_t count = (size_t)bench_number(argc, argv, 3, 1000000, 1000000000L);
-    int repeats = (int)bench_number(argc, argv, 4, 5, 1000);
-    BenchMesh mesh = mesh_create(box);
-    printf("scene %s\ntriangles %zu\nthreads %d\n", argv[1], mesh.triangle_count, threads);
-    double times[3];
-    for (int i = 0; i < 3; i++) {
-        if (i)
-            engine_free();
-        double start = bench_seconds();
-        engine_build(&mesh, threads);
-        times[i] = bench_seconds() - start;
-    }
-    printf("build_seconds %.4f\n", bench_median(times, 3));
-
-    BenchRay *rays = rays_incoherent(box, false, count);
-    run_rays("closest", rays, count, false, threads, repeats);
-    free(rays);
-    rays = rays_incoherent(box, true, count);
-    run_rays("any", rays, count, true, threads, repeats);
-    free(rays);
-    rays = rays_camera(&count);
-    run_rays("camera", rays, count, false, threads, repeats);
-    free(rays);
-    engine_free();
-    free(mesh.vertices);
-    free(mesh.triangles);
-    return 0;
 }
 
 #endif
