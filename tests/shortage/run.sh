@@ -32,7 +32,7 @@ arguments() {
     spectral) echo "render scenes/box_dispersion.yaml $tiny --spectral -o $2.png" ;;
     mesh) echo "render scenes/ring.yaml $tiny -o $2.png" ;;
     merge) echo "merge $work/1.part $work/2.part -o $2.png" ;;
-    snapshot) echo "preview $box --photons 300 --size 64x48 --snapshot $2.png" ;;
+    snapshot) echo "preview $box --photons 300 --size 320x240 --snapshot $2.png" ;;
     esac
 }
 
