@@ -27,7 +27,7 @@ while IFS= read -r line || [ -n "$line" ]; do
             cat "$scene"
             echo '</script>'
         done
-        sed -n 's/.*file: *\([^,} ]*\.obj\).*/\1/p' "$@" | sort -u | while read -r mesh; do
+        [ $# = 0 ] || sed -n 's/.*file: *\([^,} ]*\.obj\).*/\1/p' "$@" | sort -u | while read -r mesh; do
             [ -r "scenes/$mesh" ] || { echo "scenes/$mesh is not here; make meshes makes it" >&2; exit 1; }
             printf '<script type="text/mesh" data-name="%s">' "$mesh"
             pack "scenes/$mesh"
