@@ -25,7 +25,7 @@ const FACTS = {
         [{incidence: 45, apex: 60}, n => n.leave === 0]],
     drop: [[{b: 0.86, nm: 650}, n => near(n.bow, 42.3, 0.2)], [{b: 0.86, nm: 400}, n => near(n.bow, 40.6, 0.3)]],
     disk: [[{passes: 2000, alpha: 0.67, radius: 0.1, x: 0.04}, n => near(n.radius, 0.1 * 2000 ** (-0.33 / 2), 0.002) && near(n.mean, n.right, 0.02)],
-        [{passes: 500, alpha: 1, radius: 0.1, x: 0.09}, n => n.radius === 0.1000000014901161 && n.mean < n.right - 0.1]],
+        [{passes: 500, alpha: 1, radius: 0.1, x: 0.09}, n => near(n.radius, 0.1, 1e-6) && n.mean < n.right - 0.1]],
     spectrum: [[{nm: 520, glass: 'N-BK7'}, n => n.r < 0 && n.g > 1 && near(n.index, 1.5202, 3e-4)]],
 }
 

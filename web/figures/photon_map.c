@@ -171,8 +171,8 @@ int EXPORT(web_passes)(int passes, float alpha, float radius, float at, float pe
             float dx = map->photons[i].position.x - at, dy = map->photons[i].position.y - at;
             found += dx * dx + dy * dy < radius2;
         }
-        double area = (double)(PI * radius2);
-        float own = (float)((double)found / ((double)per_metre2 * area));
+        double side = (double)((at + radius) - (at - radius)), tries = floor((double)per_metre2 * side * side);
+        float own = (float)((double)found / tries * side * side / (double)(PI * radius2));
         mean = steps.join_means(mean, pass - 1, colour_grey(own), 1);
         numbers_add((double)radius);
         numbers_add_two((double)own, (double)mean.r);
