@@ -37,6 +37,7 @@ flat='([^<]|</?m([inrs]|text)[^>]*>|</?mo(ver)?>|<mo(ver)? ([^s]|stretchy="f)[^>
 cat >"$out/.parts/$name.sed" <<SPACES
 s@<h[2-4][^>]* id="([^"]*)"[^>]*>@&<a class="permalink" href="#\1" aria-label="link to this section">¶</a>@
 /<math/!b
+s@(m(ax|in)size="[0-9.]+)"@\1em"@g
 :letters
 s@(<mstyle mathvariant="normal"><mi>[^<]*)</mi><mi>@\1@
 t letters
