@@ -7,12 +7,12 @@ figures.spectrum = {
     draw(figure, {nm, glass}) {
         const colours = figure.rows(4, 'web_wavelengths'), index = figure.numbers('web_glass', glass), {sheet} = figure
         const i = Math.round(nm) - 380, [r, g, b, weight] = colours[i]
-        sheet.begin({x: [380, 730], y: [-1.2, 4.4], labels: ['wavelength, nm', '']})
-        colours.forEach((c, j) => sheet.line([[380 + j, 3.5], [380 + j, 4.2]], screenColour(c.slice(0, 3).map(v => 0.5 * v)), {width: 2}))
+        sheet.begin({x: [380, 730], y: [-3, 9.2], labels: ['wavelength, nm', '']})
+        colours.forEach((c, j) => sheet.line([[380 + j, 8], [380 + j, 9]], screenColour(c.slice(0, 3).map(v => 0.5 * v)), {width: 2}))
         for (const [channel, name] of [[0, 'red'], [1, 'green'], [2, 'blue']]) sheet.line(colours.map((c, j) => [380 + j, c[channel]]), name)
         sheet.line(colours.map((c, j) => [380 + j, 1 / c[3]]), 'soft', {dash: [5, 4]})
-        sheet.line([[nm, -1.2], [nm, 4.4]], 'ink', {width: 1})
-        sheet.text([384, 3.2], 'step 6.3: red, green, blue (below 0 too); dashed: how often step 6.2 draws it', 'soft')
+        sheet.line([[nm, -3], [nm, 9.2]], 'ink', {width: 1})
+        sheet.text([384, 7.4], 'step 6.3: red, green, blue (below 0 too); dashed: how often step 6.2 draws it', 'soft')
         return {words: `${rounded(nm)} nm: red ${rounded(r, 2)}, green ${rounded(g, 2)}, blue ${rounded(b, 2)}; drawn with weight ${rounded(weight)}. Index of ${glass}: ${index[i].toFixed(4)}.`,
             nm, r, g, b, weight, index: index[i]}
     },
