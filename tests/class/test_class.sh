@@ -92,7 +92,7 @@ check_odd() {
     in_table odd-out '^doe,' '^doe,"a;b",doe,graded,yes,9,100,' "odd: files flat in the folder become a submission"
     holds_row late 'partly graded,no,9,100,.*12 s for grading ran out before [1-9]' "what was graded in time counts"
     says '1 partly graded, as 12 s ran out' "$work/odd-out-said" "odd: and is named"
-    grep -q 'SALT=pepper' "$work/odd-out/.parts/.config" && grep -qa '^,new line,graded' "$work/odd-out/class.csv" &&
+    grep -q 'SALT=pepper' "$work/odd-out/.parts/.config" && grep -qa '^,,new line,graded' "$work/odd-out/class.csv" &&
         good "odd: a name of two lines" || bad "odd: $(cat "$work/odd-out-said")"
     says 'half below' "$work/odd-out/index.html" "odd: the page tells how points are spread"
     check "$(grep -o 'href="[^"]*/index.html"' "$work/odd-out/index.html" | sort -u | wc -l) == \
@@ -106,7 +106,7 @@ check_odd() {
     says '\] kept .* late' "$work/odd-out-said" "odd: what ran out of time is not paid for again"
 }
 
-holds_row() { in_table odd-out "^,$1," "$2" "odd: $3"; }
+holds_row() { in_table odd-out "^,,$1," "$2" "odd: $3"; }
 
 start_class() {
     PHOTONLAB_DIR=$work/class PHOTONLAB_ROSTER=$work/roster.csv PHOTONLAB_OUT=$work/out \
