@@ -127,15 +127,17 @@ int EXPORT(web_drop)(double nm, float b)
 // From 380 nm on, each nm to 730: red, green, blue of step 6.3, and the weight of step 6.2's draw there.
 int EXPORT(web_wavelengths)(void)
 {
-    float first = tanhf((WAVELENGTH_FIRST - WAVELENGTH_MIDDLE) / WAVELENGTH_SPREAD);
-    float last = tanhf((WAVELENGTH_LAST - WAVELENGTH_MIDDLE) / WAVELENGTH_SPREAD);
+    enum { LINES = SPECTRUM_SIZE, DRAWS = 8000 };
+    static float weight_at[LINES];
     numbers_begin();
-    for (int nm = (int)WAVELENGTH_FIRST; nm <= (int)WAVELENGTH_LAST; nm++) {
-        Colour seen = steps.wavelength_colour((float)nm);
-        float u = (tanhf(((float)nm - WAVELENGTH_MIDDLE) / WAVELENGTH_SPREAD) - first) / (last - first), weight;
-        steps.draw_wavelength(fminf(fmaxf(u, 0.0f), 0.9999f), &weight);
+    for (int i = 0; i < DRAWS; i++) { // close enough that each nm gets some
+        float weight, nm = steps.draw_wavelength((float)i / DRAWS, &weight);
+        weight_at[(int)fminf(nm - WAVELENGTH_FIRST + 0.5f, LINES - 1)] = weight;
+    }
+    for (int i = 0; i < LINES; i++) {
+        Colour seen = steps.wavelength_colour(WAVELENGTH_FIRST + (float)i);
         numbers_add_two((double)seen.r, (double)seen.g);
-        numbers_add_two((double)seen.b, (double)weight);
+        numbers_add_two((double)seen.b, (double)weight_at[i]);
     }
     return numbers_count();
 }
