@@ -36,6 +36,7 @@ count() {
     if [[ $sum == *" 0 failed" ]]; then
         grep -E '^[✓○] ' "$log"
     else
+        grep "^✗" "$log" | cut -c1-600
         tail -80 "$log"
     fi
     set -- $sum
