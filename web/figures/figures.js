@@ -155,6 +155,20 @@ function screenColour(rgb) {
     return `rgb(${rgb.map(code).join(' ')})`
 }
 
+// open and draw of a figure in which one follows photons bounce by bounce; `settings` as for lab.set.
+const followPhotons = (count, settings) => ({
+    open({lab}) {
+        lab.set({photons: count, paths: count, view: 'paths', colour: 'photon', ...settings})
+        lab.trace()
+        lab.show()
+    },
+    draw({lab}, {photon, bounce}) {
+        lab.set({'paths.path': photon, 'paths.bounce': bounce})
+        lab.draw()
+        return {words: lab.describe(), photon, bounce, said: lab.describe()}
+    },
+})
+
 // ---- a figure ----
 
 class LiveFigure {

@@ -5,14 +5,5 @@ figures.split = {
         {name: 'photon', label: 'photon', low: -1, high: 399, step: 1, value: 316},
         {name: 'bounce', label: 'up to bounce', low: 0, high: 30, step: 1, value: 12},
     ],
-    open({lab}) {
-        lab.set({photons: 400, paths: 400, view: 'paths', colour: 'photon'})
-        lab.trace()
-        lab.show()
-    },
-    draw({lab}, {photon, bounce}) {
-        lab.set({'paths.path': photon, 'paths.bounce': bounce})
-        lab.draw()
-        return {words: lab.describe(), photon, bounce, said: lab.describe()}
-    },
+    ...followPhotons(400, {}),
 }
