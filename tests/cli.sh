@@ -11,7 +11,8 @@ quick="--size 16x16 --photons 2000 --samples 1"
 expect 2 "usage" "$program"
 expect 0 "usage" "$program" --help
 expect 2 "no command \`paint\`" "$program" paint
-for command in render merge photons diff steps; do
+expect 0 "usage: photonlab export" "$program" help export
+for command in render merge photons diff export steps; do
     expect 0 "usage: photonlab $command" "$program" $command --help
     expect 2 "--help lists the flags" "$program" $command --no-such-flag
 done
@@ -40,7 +41,15 @@ expect 2 "--integrator magic: expected photons" "$program" render $scene -o "$wo
 expect 2 "--glass-sides 3" "$program" render $scene -o "$work/a.png" --glass-sides 3
 expect 2 "expected .ply or .csv" "$program" photons $scene -o "$work/a.txt"
 expect 2 "expected two pictures" "$program" diff "$work/a.pfm"
+expect 2 "expected .xml (Mitsuba 3) or .pbrt (pbrt-v4)" "$program" export $scene -o "$work/a.obj"
 expect 2 "--mask 1,2,3" "$program" diff a.pfm b.pfm --mask 1,2,3
+
+# For other renderers; make check-export has them render it.
+expect 0 "glass has one index" "$program" export scenes/box_dispersion.yaml -o "$work/a.xml"
+ok "it is XML" xmllint --noout "$work/a.xml"
+expect 0 "renders by wavelength" "$program" export scenes/box_dispersion.yaml -o "$work/a.pbrt"
+ok "glass has its index over wavelength" grep -q 'dielectric.*spectrum eta.* 590 2\.417' "$work/a.pbrt"
+expect 1 "No such file" "$program" export $scene -o "$work/no/such/place.xml"
 
 # The table of steps, and hints.
 expect 0 "2.1	sample_lobe	2	2_glossy_lobe/2.1_sample_lobe	" "$program" steps

@@ -13,7 +13,7 @@ for target in "$@"; do
         packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs pandoc webp"
         case $target in *-site) packages="$packages npm chromium firefox-esr xvfb xauth" ;; esac
         ;;
-    class-alike | check-alike) packages="$packages python3-venv" ;;
+    class-alike | check-alike | check-export) packages="$packages python3-venv" ;;
     check* | reference | agreement | bench-* | calibrate | fuzz* | *figures | *-table)
         packages="$packages git libcmocka-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"
         ;;

@@ -3,7 +3,7 @@
 # two of these at once beside those), `alone` (counts seconds: at the end) or `long` (by hand only). tests/check.sh says CHECK=1: do
 # no more than `make check` has time for, and let no warning pass.
 
--include tests/mistakes/grader.mk tests/scene_page/scene_page.mk tests/elsewhere/elsewhere.mk
+-include tests/mistakes/grader.mk tests/scene_page/scene_page.mk tests/elsewhere/elsewhere.mk tests/export/export.mk
 
 TEST_SOURCES  = $(filter-out $(if $(HAVE_PREVIEW),,tests/unit/preview/%),$(call find_c,tests/unit))
 TESTS         = $(TEST_SOURCES:tests/unit/%.c=$(BUILD)/tests/%)

@@ -5,6 +5,7 @@
 #include "base/error.h"
 
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 // The bytes of a regular file of at most `most` bytes, with a 0 byte behind the last; the caller frees them. NULL with
@@ -15,7 +16,8 @@ char *file_read(const char *path, size_t most, size_t *size, Error *error);
 const char *file_ending(const char *path);
 bool file_ends_in(const char *path, const char *ending);
 
-// Writes a float as four bytes, little-endian on every machine; returns the place behind them.
+// Writes a number as four bytes, little-endian on every machine; returns the place behind them.
+unsigned char *file_put_int(unsigned char *at, uint32_t value);
 unsigned char *file_put_float(unsigned char *at, float value);
 
 // A file being written beside the place it is meant for. `path` is the caller's, and is to stay till the end.

@@ -18,6 +18,7 @@ int command_diff(int count, char **arguments);
 int command_frame(int count, char **arguments);
 int command_steps(int count, char **arguments);
 int command_preview(int count, char **arguments);
+int command_export(int count, char **arguments);
 
 // Prints the error to standard error and returns EXIT_INPUT.
 int report_error(const Error *error);

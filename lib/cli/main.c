@@ -16,6 +16,7 @@ static const Command commands[] = {
     {"merge", command_merge, "one picture of passes that several machines have rendered"},
     {"photons", command_photons, "write the stored photons as a point cloud"},
     {"diff", command_diff, "compare two pictures"},
+    {"export", command_export, "write a scene for Mitsuba 3 or pbrt-v4"},
     {"frame", command_frame, "a frame with words about a picture"},
     {"steps", command_steps, "list the steps to write, and hints for them"},
 };
@@ -45,6 +46,10 @@ int main(int count, char **arguments)
     if (count < 2) {
         print_help(stderr);
         return EXIT_USAGE;
+    }
+    if (strcmp(arguments[1], "help") == 0 && count == 3) { // `help COMMAND`
+        arguments[1] = arguments[2];
+        arguments[2] = "--help";
     }
     if (strcmp(arguments[1], "--help") == 0 || strcmp(arguments[1], "-h") == 0 || strcmp(arguments[1], "help") == 0) {
         print_help(stdout);

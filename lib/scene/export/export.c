@@ -1,0 +1,221 @@
+#include "scene/export/export.h"
+#include "scene/material_kind.h"
+#include "base/file.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EXPORT_FORMAT(name) &export_##name,
+static const ExportFormat *const formats[] = {
+#include "scene/export/formats.def"
+};
+#define FORMAT_COUNT (sizeof formats / sizeof formats[0])
+
+static const ExportFormat *format_of(const char *path, Error *error)
+{
+    char known[200] = "";
+    for (size_t i = 0; i < FORMAT_COUNT; i++) {
+        if (file_ends_in(path, formats[i]->ending))
+            return formats[i];
+        size_t used = strlen(known);
+        snprintf(known + used, sizeof known - used, "%s%s (%s)", i == 0 ? "" : " or ", formats[i]->ending,
+                 formats[i]->renderer);
+    }
+    error_set(error, "%s: unknown ending; expected %s", path, known);
+    return NULL;
+}
+
+bool export_path_is_known(const char *path, Error *error)
+{
+    return format_of(path, error) != NULL;
+}
+
+void export_note(const Export *e, const char *format, ...)
+{
+    char words[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(words, sizeof words, format, arguments);
+    va_end(arguments);
+    e->notes.take(e->notes.user, words);
+}
+
+// ---- what formats have in common ----
+
+// cosⁿα ≈ exp(−nα²/2) about the mirror direction; a facet turns by half of α, and Beckmann's facets lie as exp(−tan²θ/roughness²).
+ExportGlossy export_glossy(const Export *e, const Material *material)
+{
+    float diffuse = colour_max(material->diffuse), specular = colour_max(material->specular);
+    float n = fmaxf(material->exponent, 0.5f);
+    ExportGlossy g = {.share = specular > 0.0f ? specular / (diffuse + specular) : 0.0f,
+                      .roughness = fminf(1.0f, 1.0f / sqrtf(2.0f * n))};
+    for (int c = 0; c < 3; c++) {
+        float rest = 1.0f - g.share;
+        float d = rest > 0.0f ? colour_channel(material->diffuse, c) / rest : 0.0f;
+        float s = g.share > 0.0f ? colour_channel(material->specular, c) / g.share : 0.0f;
+        colour_set_channel(&g.diffuse, c, fminf(d, 1.0f));
+        colour_set_channel(&g.specular, c, fminf(s, 1.0f));
+    }
+    export_note(e,
+                "%s: the cosine lobe of exponent %g is approximated, by microfacets of roughness %.3g: %s has no Phong",
+                material->name, (double)material->exponent, (double)g.roughness, e->renderer);
+    return g;
+}
+
+bool export_is_plain(const Export *e, const Material *material)
+{
+    const MaterialKind *kind = material_kind(material);
+    bool own_lobe = kind->lobe && !kind->cosine_lobe;
+    bool own_turn = kind->turn && kind != material_kinds[MATERIAL_MIRROR];
+    bool shines = kind->optics == OPTICS_LIGHT;
+    return !(own_lobe || own_turn || shines) ||
+           error_set(e->error, "the material '%s' treats light by a rule of its own, which %s does not know",
+                     material->name, e->renderer);
+}
+
+Colour export_intensity(const Light *light)
+{
+    float share = light->type == LIGHT_SPOT ? 0.5f * (1.0f - light->cos_cone) : 1.0f; // of all directions
+    return colour_scale(light->power, 1.0f / (4.0f * PI * share));
+}
+
+// ---- meshes ----
+
+static unsigned char *put_vec3(unsigned char *at, Vec3 v)
+{
+    for (int axis = 0; axis < 3; axis++)
+        at = file_put_float(at, vec3_component(v, axis));
+    return at;
+}
+
+// Corners are not shared: flats keep their edges.
+static void write_triangle(const Vec3 corner[3], const Vec3 *normal, FILE *stream)
+{
+    for (int i = 0; i < 3; i++) {
+        unsigned char bytes[24], *at = put_vec3(bytes, corner[i]);
+        if (normal)
+            at = put_vec3(at, normal[i]);
+        fwrite(bytes, 1, (size_t)(at - bytes), stream);
+    }
+}
+
+static void write_flat(const Scene *scene, const Flat *flat, bool with_normals, FILE *stream)
+{
+    Vec3 even[3] = {flat->normal, flat->normal, flat->normal};
+    const Vec3 *normals = flat->normals ? &scene->normals[flat->normals - 1] : even;
+    Vec3 u = vec3_add(flat->origin, flat->edge_u), v = vec3_add(flat->origin, flat->edge_v);
+    write_triangle((Vec3[]){flat->origin, u, v}, with_normals ? normals : NULL, stream);
+    if (!flat->is_triangle)
+        write_triangle((Vec3[]){u, vec3_add(u, flat->edge_v), v}, with_normals ? even : NULL, stream);
+}
+
+typedef struct {
+    size_t triangles;
+    bool normals; // interpolated ones, which count on mirrors and glass
+} MeshContent;
+
+static MeshContent mesh_content(const Scene *scene, size_t material)
+{
+    MeshContent content = {0, false};
+    bool smooth = !material_is_rough(&scene->materials[material]);
+    for (size_t i = 0; i < scene->flat_count; i++)
+        if (scene->flats[i].material == material) {
+            content.triangles += scene->flats[i].is_triangle ? 1 : 2;
+            content.normals |= smooth && scene->flats[i].normals;
+        }
+    return content;
+}
+
+static bool write_ply(const Scene *scene, size_t material, MeshContent content, const char *path, Error *error)
+{
+    FileWriter writer;
+    if (!file_write_begin(&writer, path, error))
+        return false;
+    fprintf(
+        writer.stream,
+        "ply\nformat binary_little_endian 1.0\nelement vertex %zu\nproperty float x\nproperty float y\nproperty float z\n%s"
+        "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
+        3 * content.triangles, content.normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "",
+        content.triangles);
+    for (size_t i = 0; i < scene->flat_count; i++)
+        if (scene->flats[i].material == material)
+            write_flat(scene, &scene->flats[i], content.normals, writer.stream);
+    for (size_t i = 0; i < 3 * content.triangles; i++) {
+        unsigned char bytes[5] = {3}, *at = bytes + (i % 3 == 0);
+        at = file_put_int(at, (uint32_t)i);
+        fwrite(bytes, 1, (size_t)(at - bytes), writer.stream);
+    }
+    return file_write_end(&writer, true, error);
+}
+
+// ---- the whole ----
+
+// Letters and digits of ASCII stay: it becomes part of a file's name, and of words in quotes.
+static void make_plain(char *name)
+{
+    for (; *name; name++)
+        if (!isalnum((unsigned char)*name) && !strchr("-_.", *name))
+            *name = '_';
+}
+
+static const Light *lamp_of(const Scene *scene, size_t material)
+{
+    for (size_t i = 0; i < scene->light_count; i++) {
+        uint32_t at = scene->lights[i].primitive;
+        if (at == NO_PRIMITIVE)
+            continue;
+        uint32_t own =
+            at < scene->flat_count ? scene->flats[at].material : scene->spheres[at - scene->flat_count].material;
+        if (own == material)
+            return &scene->lights[i];
+    }
+    return NULL;
+}
+
+static bool write_material(const Export *e, const ExportFormat *format, size_t number, const char *path)
+{
+    const Scene *scene = e->scene;
+    const Material *material = &scene->materials[number];
+    const Light *lamp = lamp_of(scene, number);
+    char name[100], file[4096];
+    snprintf(name, sizeof name, "%zu_%s", number + 1, material->name);
+    make_plain(name);
+    if (!lamp && !(export_is_plain(e, material) && format->material(e, material, name)))
+        return false;
+    MeshContent content = mesh_content(scene, number);
+    if (content.triangles > 0) {
+        int stem = (int)(strlen(path) - strlen(file_ending(path)));
+        const char *slash = strrchr(path, '/');
+        size_t folder = slash ? (size_t)(slash + 1 - path) : 0;
+        snprintf(file, sizeof file, "%.*s_%s.ply", stem, path, name);
+        make_plain(file + folder);
+        if (!write_ply(scene, number, content, file, e->error))
+            return false;
+        format->mesh(e, file + folder, content.normals, name, lamp);
+    }
+    for (size_t i = 0; i < scene->sphere_count; i++)
+        if (scene->spheres[i].material == number)
+            format->sphere(e, &scene->spheres[i], name, lamp);
+    return true;
+}
+
+bool export_write(const Scene *scene, const RenderSettings *settings, const char *path, ExportNotes notes, Error *error)
+{
+    const ExportFormat *format = format_of(path, error);
+    FileWriter writer;
+    if (!format || !file_write_begin(&writer, path, error))
+        return false;
+    Export e = {scene, writer.stream, format->renderer, notes, error};
+    format->begin(&e, settings);
+    bool ok = true;
+    for (size_t i = 0; i < scene->material_count && ok; i++)
+        ok = write_material(&e, format, i, path);
+    for (size_t i = 0; i < scene->light_count && ok; i++)
+        if (scene->lights[i].primitive == NO_PRIMITIVE)
+            format->light(&e, &scene->lights[i]);
+    format->end(&e);
+    return file_write_end(&writer, ok, error);
+}

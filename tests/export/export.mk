@@ -1,0 +1,11 @@
+# Scenes exported to other renderers; included by tests.mk.
+
+# Mitsuba 3, in a folder of its own. Where it cannot be had, the check says so.
+MITSUBA = $(BUILD)/mitsuba/bin/python
+$(MITSUBA):
+	@{ python3 -m venv $(BUILD)/mitsuba && $(BUILD)/mitsuba/bin/pip -q install mitsuba; } >/dev/null 2>&1 || rm -rf $(BUILD)/mitsuba
+
+.PHONY: check-export
+##check long check-export  exported scenes rendered by Mitsuba 3, against the path tracer; files for pbrt-v4; takes Mitsuba from PyPI (three minutes)
+check-export: all meshes $(MITSUBA)
+	@bash tests/export/check.sh $(PROGRAM) $(MITSUBA)

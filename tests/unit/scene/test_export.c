@@ -1,0 +1,103 @@
+// Scenes for other renderers: what is refused, what is told, what a mesh holds.
+#include "unit/scene/scene_parts.h"
+#include "unit/scene/temporary_folder.h"
+#include "scene/export/export.h"
+#include "scene/material_kind.h"
+#include "base/file.h"
+
+static char told[4000];
+
+static void take(void *user, const char *words)
+{
+    (void)user;
+    strncat(told, words, sizeof told - strlen(told) - 1);
+}
+
+static bool export_as(const Scene *scene, const char *name, char path[200], Error *error)
+{
+    snprintf(path, 200, "%s/%s", temporary, name);
+    told[0] = '\0';
+    return export_write(scene, &scene->settings, path, (ExportNotes){take, NULL}, error);
+}
+
+static Vec3 any_turn(Vec3 direction, Vec3 normal)
+{
+    return vec3_sub(direction, normal);
+}
+
+static Colour any_lobe(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n)
+{
+    (void)model, (void)wi, (void)wo, (void)n;
+    return material->diffuse;
+}
+
+// A kind that no renderer knows is taken for none.
+TEST(own_rules_are_refused)
+{
+    static const MaterialKind kinds[] = {{.optics = OPTICS_MIRROR, .turn = any_turn},
+                                         {.optics = OPTICS_ROUGH, .lobe = any_lobe},
+                                         {.optics = OPTICS_LIGHT}};
+    Scene *scene = scene_in_folder(CAMERA LIGHT WHITE, NULL);
+    char path[200];
+    for (int i = 0; i < 3; i++)
+        for (int format = 0; format < 2; format++) {
+            Error error = {""};
+            scene->materials[0].kind = &kinds[i];
+            assert_false(export_as(scene, format ? "a.xml" : "a.pbrt", path, &error));
+            assert_non_null(strstr(error.message, "'white' treats light by a rule of its own"));
+            assert_int_equal(access(path, F_OK), -1);
+        }
+}
+
+TEST(what_differs_is_told)
+{
+    static const char text[] =
+        CAMERA "materials:\n  - {name: flint, type: glass, glass: N-SF11}\n"
+               "  - {name: satin, type: glossy, diffuse: [0.9, 0, 0], specular: [0, 0.9, 0], exponent: 50}\n"
+               "lights:\n  - {type: beam, position: [0, 0, 0], target: [0, 0, 1], radius: 0.1, power: [1, 1, 1]}\n"
+               "  - {type: point, spectrum: sodium, position: [0, 0, 0], power: [1, 1, 1]}\n";
+    static const char *const words[2][4] = {
+        {"flint: Mitsuba 3's glass has one index", "satin: the cosine lobe of exponent 50", "a beam is left out",
+         "a lamp's spectrum becomes"},
+        {"satin: the cosine lobe", "roughness 0.1", "a beam is left out", "line at 589.3 nm becomes a band"}};
+    Scene *scene = scene_in_folder(text, NULL);
+    for (int format = 0; format < 2; format++) {
+        char path[200];
+        Error error = {""};
+        assert_true(export_as(scene, format ? "a.pbrt" : "a.xml", path, &error));
+        for (int i = 0; i < 4; i++)
+            if (!strstr(told, words[format][i]))
+                fail_msg("\"%s\" is not told, but: %s", words[format][i], told);
+        unlink(path);
+    }
+}
+
+// A rectangle becomes two triangles with the same normal, and nothing of a name leaves the folder.
+TEST(a_mesh_of_a_rectangle)
+{
+    Scene *scene =
+        scene_in_folder(CAMERA LIGHT "materials:\n  - {name: \"../a b\", type: mirror}\n"
+                                     "shapes:\n  - {type: rectangle, material: \"../a b\", corner: [1, 2, 3], "
+                                     "edge_u: [1, 0, 0], edge_v: [0, 2, 0]}\n",
+                        NULL);
+    char path[200], mesh[220];
+    Error error = {""};
+    assert_true(export_as(scene, "a.xml", path, &error));
+    snprintf(mesh, sizeof mesh, "%s/a_1_.._a_b.ply", temporary);
+    size_t size;
+    char *bytes = file_read(mesh, 10000, &size, &error);
+    assert_non_null(bytes);
+    at_end(free, bytes);
+    const char *body = strstr(bytes, "end_header\n");
+    assert_non_null(body);
+    body += strlen("end_header\n");
+    assert_int_equal(size - (size_t)(body - bytes), 6 * 12 + 2 * 13);
+    static const float corners[6][2] = {{1, 2}, {2, 2}, {1, 4}, {2, 2}, {2, 4}, {1, 4}};
+    for (int i = 0; i < 6; i++) {
+        unsigned char expected[12];
+        file_put_float(file_put_float(file_put_float(expected, corners[i][0]), corners[i][1]), 3.0f);
+        assert_memory_equal(body + 12 * i, expected, 12);
+    }
+    unlink(path);
+    unlink(mesh);
+}
