@@ -118,10 +118,6 @@ check_steps() {
     verdict "formulas use the letters of the steps' contracts" "$work/strange"
 }
 
-in_git() {
-    git ls-files --error-unmatch "$1" >/dev/null 2>&1
-}
-
 check_figures() {
     local name
     awk -F '\t' 'function number(name) { sub(/_.*/, "", name); return name }
@@ -140,18 +136,15 @@ check_figures() {
         END { for (page in loose) if (!(page in commands)) print page ": no command makes " loose[page] }' "$work/facts" >"$work/wrong"
     awk -F '\t' '$2 == "figure" { print $4 } $2 == "image" { sub(/^figures\//, "", $3); print $3 }' "$work/facts" | sort -u >"$work/named"
     while IFS= read -r name; do
-        if [ ! -s "$figures/$name" ]; then echo "$name is missing; \`make figures\` makes it"
-        elif git rev-parse >/dev/null 2>&1 && ! in_git "$figures/$name"; then echo "$name is not in git"; fi
+        [ -s "$figures/$name" ] || echo "$name is missing; \`make figures\` makes it"
     done <"$work/named" >>"$work/wrong"
+    ! git rev-parse >/dev/null 2>&1 || git ls-files $figures | sed 's|.*/||' | sort | comm -13 - "$work/named" | sed 's/$/ is not in git/' >>"$work/wrong"
     verdict "$(wc -l <"$work/named") figures: each is there, with command, alt and caption" "$work/wrong"
 
     # A file may also be written beside a figure, or be read by what makes one: its name stands there.
     { cat "$work/facts"; cat $figures/src/* 2>/dev/null; } >"$work/texts"
-    for name in $figures/*.* $figures/src/*; do
-        [ -e "$name" ] || continue
-        name=${name##*/}
-        grep -qF "${name%.c}" "$work/texts" || echo "$name is named nowhere"
-    done >"$work/wrong"
+    ls $figures/*.* $figures/src/* 2>/dev/null | sed 's|.*/||; s/\.c$//' |
+        awk -v of="$work/texts" 'BEGIN { while ((getline line <of) > 0) text = text line "\n" } !index(text, $0) { print $0 " is named nowhere" }' >"$work/wrong"
     verdict "no figure and no script that nothing uses" "$work/wrong"
 }
 
@@ -175,12 +168,8 @@ check_numbers() {
 # The gallery: each known mistake stands, with the judge's words, in the tile of the picture that shows it, or in the list of those that
 # no tile shows.
 check_gallery() {
-    local name
     [ -d tests/mistakes ] && [ -s $figures/gallery_seen.txt ] && [ -f course_notes/gallery.md ] || return
-    for name in tests/mistakes/[1-9]*.*/; do
-        name=$(basename "$name")
-        printf '%s\t%s\n' "$name" "$(head -1 "tests/mistakes/$name/text")"
-    done >"$work/known"
+    awk -v OFS='\t' 'FNR == 1 { split(FILENAME, place, "/"); print place[3], $0 }' tests/mistakes/[1-9]*.*/text >"$work/known"
     # Lines of `tile TAB ID TAB WORDS` and of `unseen TAB STEP TAB WORDS`.
     awk -v OFS='\t' '
         { gsub(/\\/, "") }

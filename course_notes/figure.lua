@@ -28,35 +28,29 @@ end
 
 -- ---- HTML ----
 
-local digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
-
-local function base64(bytes)
-    local out = {}
-    for i = 1, #bytes, 3 do
-        local a, b, c = bytes:byte(i, i + 2)
-        local bits = a << 16 | (b or 0) << 8 | (c or 0)
-        local four = {}
-        for k = 0, 3 do
-            local digit = bits >> (18 - 6 * k) & 63
-            four[k + 1] = digits:sub(digit + 1, digit + 1)
-        end
-        out[#out + 1] = four[1] .. four[2] .. (b and four[3] or "=") .. (c and four[4] or "=")
-    end
-    return table.concat(out)
+-- What a command writes, in base64; nothing if it fails.
+local function base64_of(command)
+    local pipe = io.popen(command .. " 2>/dev/null | base64 | tr -d '\\n'")
+    local text = pipe:read("a")
+    pipe:close()
+    return text
 end
 
 -- Written into the page, so that a page is one file wherever it is copied to.
 local function embedded(path)
     local types = { png = "image/png", svg = "image/svg+xml", jpg = "image/jpeg" }
-    local bytes, kind = read_file(path), types[path:match("%w+$")] or "image/png"
-    if bytes and os.getenv("NOTES_LIVE") and kind == "image/png" then -- a tenth of the bytes for those who load it
-        local pipe = io.popen("cwebp -quiet -q 90 -sharp_yuv '" .. path .. "' -o - 2>/dev/null")
-        local packed = pipe:read("a")
-        if pipe:close() and #packed > 0 and #packed < #bytes then
-            bytes, kind = packed, "image/webp"
+    local kind = types[path:match("%w+$")] or "image/png"
+    local text = read_file(path) and base64_of("cat '" .. path .. "'")
+    if not text then
+        return ""
+    end
+    if os.getenv("NOTES_LIVE") and kind == "image/png" then -- a tenth of the bytes for those who load it
+        local packed = base64_of("cwebp -quiet -q 90 -sharp_yuv '" .. path .. "' -o -")
+        if packed ~= "" and #packed < #text then
+            text, kind = packed, "image/webp"
         end
     end
-    return bytes and "data:" .. kind .. ";base64," .. base64(bytes) or ""
+    return "data:" .. kind .. ";base64," .. text
 end
 
 local function inlines_of(markdown)
@@ -201,11 +195,11 @@ local function Link(link)
 end
 
 local function Image(image)
-    if is_html then
-        image.src = embedded("course_notes/" .. image.src)
-    else
-        image.src = "course_notes/" .. image.src
+    if is_html then -- as it is: pandoc's writer looks long at a picture's bytes
+        return pandoc.RawInline("html", '<img src="' .. embedded("course_notes/" .. image.src) .. '" alt="' ..
+            escape(pandoc.utils.stringify(image.caption)) .. '" />')
     end
+    image.src = "course_notes/" .. image.src
     return image
 end
 
