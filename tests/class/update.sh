@@ -9,9 +9,10 @@
 # interrupted in that starts make update again, which moves the rest.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
-ready=.update/ready       # the new one, once it is whole and right
-list=.update/list         # its files, in the order in which they are moved
-manifest=.photonlab-files # of a handout: a checksum and a path a line
+ready=.update/ready         # the new one, once it is whole and right
+list=.update/list           # its files, in the order in which they are moved
+differing=.update/differing # those of them that are to be moved
+manifest=.photonlab-files   # of a handout: a checksum and a path a line
 
 stop() {
     echo "update: $*" >&2
@@ -70,14 +71,25 @@ unpack() {
 remove_old() {
     local file
     while IFS= read -r file; do
-        [ -e "$file" ] && ! grep -qxF "$file" "$list" || continue
+        [ -e "$file" ] || continue
         if is_old_as_given "$file"; then
             rm -f "$file" && rmdir -p "$(dirname "$file")" 2>/dev/null
             removed=$((removed + 1))
         else
             echo "no longer part of photonlab, left as you changed it: $file"
         fi
-    done < <([ ! -f "$manifest" ] || names "$manifest")
+    done < <([ ! -f "$manifest" ] || names "$manifest" | grep -vxFf "$list")
+}
+
+there() { # of the files whose names come in, those in $1
+    while IFS= read -r file; do [ ! -f "$1/$file" ] || echo "$file"; done
+}
+
+# find_differing: into $differing, the new one's files that are not the same here, in the list's order, as lines of a manifest.
+find_differing() {
+    there "$ready" <"$list" | (cd "$ready" && checksums) >.update/new.sums || return
+    names .update/new.sums | there . | checksums >.update/old.sums
+    awk 'FILENAME == ARGV[1] { same[$0]; next } !($0 in same)' .update/old.sums .update/new.sums >"$differing"
 }
 
 move_new() {
@@ -85,7 +97,7 @@ move_new() {
     while [ -e "before-update-$n" ]; do n=$((n + 1)); done
     kept=before-update-$n
     while IFS= read -r file; do
-        [ -e "$ready/$file" ] && ! cmp -s "$file" "$ready/$file" || continue # as it is, or moved before an interruption
+        [ -e "$ready/$file" ] || continue # moved before an interruption
         if is_step "$file"; then
             stub=exercises/.stubs/${file#exercises/}
             if [ -e "$file" ] && ! cmp -s "$file" "$stub"; then
@@ -101,12 +113,13 @@ move_new() {
         fi
         mkdir -p "$(dirname "$file")" && mv -f "$ready/$file" "$file" || stop "$file: cannot be replaced; make update again"
         replaced=$((replaced + 1))
-    done <"$list"
+    done < <(names "$differing")
 }
 
 take_over() {
     replaced=0
     removed=0
+    find_differing || stop "the new files cannot be compared with yours; is the disk full? Make update again"
     remove_old
     move_new
     rm -rf .update
