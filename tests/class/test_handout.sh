@@ -44,7 +44,7 @@ check_handout() {
     ok "handout: nothing for teachers alone in its README" not grep -qi "teacher\|make class" "$tree/README.md"
     (cd "$tree" && find . -name '*.md' | while IFS= read -r file; do
         grep -o '](\([^)#:]*\))' "$file" | sed 's/^](//; s/)$//' | while IFS= read -r link; do
-            page=$(dirname "$file")/$link # a chapter links to another's page, which its Markdown becomes
+            page=${file%/*}/$link # a chapter links to another's page, which its Markdown becomes
             [ -e "$page" ] || [ -e "${page%.html}.md" ] || echo "$file: $link"; done; done) >"$work/said"
     [ ! -s "$work/said" ] && good "handout: no dead links" || bad "handout: dead links: $(cat "$work/said")"
     names_only_what_is_there "$tree"
