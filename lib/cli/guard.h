@@ -4,9 +4,9 @@
 #define PHOTONLAB_CLI_GUARD_H
 
 // Splits the program in two, before there are threads or scenes. Returns in the one that works; the other waits, explains and
-// ends with the same exit code, or EXIT_INPUT. `code`: the folder of the objects; NULL: nothing happens. Where no process can be
-// had, the work goes on unguarded.
-void guard_begin(const char *code);
+// ends with the same exit code, or EXIT_INPUT. `code`: the folder of the objects; NULL: nothing happens. `threads`: as for
+// parallel_threads, how many will work. Where no process can be had, the work goes on unguarded.
+void guard_begin(const char *code, int threads);
 
 // A sign of life from the work: a part of it is done.
 void guard_alive(void);

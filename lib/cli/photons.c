@@ -76,7 +76,7 @@ int command_photons(int count, char **arguments)
     int wrong = parse(count, arguments, &a);
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
-    guard_begin(a.code);
+    guard_begin(a.code, a.options.threads);
     Error error = {""};
     Scene *scene = NULL;
     if (!file_may_write(a.out, &error) || !steps_load(a.code, &error) || !(scene = scene_load(a.scene, &error)))

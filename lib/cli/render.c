@@ -157,7 +157,7 @@ int command_render(int count, char **arguments)
     int wrong = parse(count, arguments, &a);
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
-    guard_begin(a.code);
+    guard_begin(a.code, a.options.threads);
     Error error = {""};
     Scene *scene = file_may_write(a.out, &error) ? scene_load(a.scene, &error) : NULL;
     if (!scene)
