@@ -3,8 +3,8 @@
 #   run.sh ROOT BUILD JUDGE-COMMAND…        the judge with its flags, but for --code, --step, --work and --report
 # As root, with PHOTONLAB_SANDBOX=uid or landlock, on a copy of ROOT and BUILD; words of the command that are or begin with ROOT
 # or BUILD are turned to the copy. Landlock is for those who are not root: the judge becomes nobody for it.
-# ONLY="name name" runs these alone (`beside`: with a right step beside them). An attack is a folder: a step's source, in which @ROOT@, @BUILD@ and @WORK@ become paths
-# (an attacker is to know what an insider knows); or `links`, a line "PATH TARGET" each; and `expect`, "STATUS WORDS": the
+# ONLY="name name" runs these alone (`beside`: with a right step beside them), EVERY=2 TURN=0 or 1 every second. An attack is a folder:
+# a step's source, in which @ROOT@, @BUILD@ and @WORK@ become paths (an attacker is to know what an insider knows); or `links`, a line "PATH TARGET" each; and `expect`, "STATUS WORDS": the
 # step's status (or "fail|error" for either), and words of its message.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
@@ -156,8 +156,9 @@ if ! grade --step 1.1 && grep -q 'NO SANDBOX' "$work/out"; then
     echo "○ $(cat "$work/out")"
     exit 0
 fi
-for directory in "$here"/*/; do
-    name=$(basename "$directory")
+names=("$here"/*/)
+for ((i = ${TURN:-0}; i < ${#names[@]}; i += ${EVERY:-1})); do
+    name=$(basename "${names[i]}")
     case " ${ONLY:-$name} " in *" $name "*) attack "$name" ;; esac
 done
 case " ${ONLY:-beside} " in *" beside "*)

@@ -53,7 +53,7 @@ wait_for() {
     shift
     until "$@"; do
         [ $SECONDS -lt $until ] || return 1
-        sleep 0.02
+        sleep 0.05
     done
 }
 
