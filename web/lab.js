@@ -1,7 +1,8 @@
 // The lab: the preview in a page.
 
 const $ = id => document.getElementById(id)
-const MOVING_POINTS = 50000 // drawn while the camera moves; all are when it rests
+const LEAST_POINTS = 10000 // drawn while the camera moves, and more where frames stay below SLOW ms; all are when it rests
+const SLOW = 36, QUICK = 20 // the 30th and the 60th part of a second, and what clocks waver
 const REST = 180 // ms without a movement
 const PART = 4000 // paths of a part of a run
 const PASSES = 64 // of a rendered picture
@@ -13,7 +14,7 @@ const scenes = Object.fromEntries([...document.querySelectorAll('script[type="te
 const state = {
     lab: null, workers: null,
     scene: null, // {yaml, name, files}: that photons are of
-    pending: false, rested: 0, // of drawing
+    pending: false, rested: 0, resting: 0, drawn: 0, points: 50000, // of drawing; of points, those of a moving frame
     shown: 0, seconds: 0, // photons; the time that all took
     found: 'photons', // the kind of run that was last asked for beside photons
     rendering: false, flying: 0,
@@ -38,18 +39,34 @@ function wantPicture() {
     requestAnimationFrame(draw)
 }
 
-function draw(now) {
-    state.pending = false
-    const {lab} = state, canvas = $('picture'), scale = Math.min(window.devicePixelRatio || 1, 2)
+// As many pixels as are seen.
+function fitCanvas() {
+    const canvas = $('picture'), scale = Math.min(window.devicePixelRatio || 1, 2)
     const width = Math.max(1, Math.round(canvas.clientWidth * scale)), height = Math.max(1, Math.round(canvas.clientHeight * scale))
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height})
-    const moving = performance.now() < state.rested
+}
+
+function draw(now) {
+    state.pending = false
+    fitCanvas()
+    const {lab} = state, moving = performance.now() < state.rested
     if (state.flying) lab.set({flight: ((now - state.flying) / 1000 / FLIGHT % 1.1) * lab.collected().farthest})
-    lab.set({most_points: moving ? MOVING_POINTS : 0})
+    if (moving) keepPace(now)
+    lab.set({most_points: moving ? state.points : 0})
     lab.draw()
+    clearTimeout(state.resting)
     if (state.flying) wantPicture()
-    else if (moving) setTimeout(wantPicture, REST)
+    else if (moving) state.resting = setTimeout(wantPicture, REST)
     if (!moving) tell()
+}
+
+// As many points as 30 frames a second allow.
+function keepPace(now) {
+    const took = now - state.drawn
+    state.drawn = now
+    if (took > 10 * SLOW) return // a movement begins
+    if (took > SLOW) state.points = Math.max(LEAST_POINTS, Math.round(0.8 * state.points))
+    else if (took < QUICK && state.points < state.lab.collected().photons) state.points = Math.round(1.25 * state.points)
 }
 
 function moved() {
@@ -200,9 +217,9 @@ function chooseScene(name, yaml = scenes[name], parameters = {photons: 200000}) 
             fault(error.message) // a link by another version, say
         }
     fault('')
-    fillPanel()
     tracePhotons()
     findForView()
+    fillPanel()
 }
 
 // ---- the beginning ----
@@ -210,8 +227,9 @@ function chooseScene(name, yaml = scenes[name], parameters = {photons: 200000}) 
 async function start() {
     try {
         const compiled = await Photonlab.compile()
+        state.workers = new PhotonlabWorkers(compiled) // they open while WebGL does
+        fitCanvas() // another size would cost WebGL a tenth of a second
         state.lab = await Photonlab.open(compiled, $('picture'))
-        state.workers = new PhotonlabWorkers(compiled)
         const meshes = [...document.querySelectorAll('script[type="text/mesh"]')]
         state.files = await Promise.all(meshes.map(async script => [script.dataset.name, await Photonlab.unpack(script)]))
         for (const [name, bytes] of state.files) state.lab.file(name, bytes)

@@ -9,7 +9,7 @@ class Photonlab {
     static async open(compiled, canvas) {
         const lab = new Photonlab()
         const memory = () => lab.exports.memory
-        const gl = canvas && canvas.getContext('webgl2', {alpha: false, antialias: false, preserveDrawingBuffer: true})
+        const gl = canvas && canvas.getContext('webgl2', {alpha: false, antialias: false, depth: false})
         if (canvas && !gl) throw new Error('this browser draws no WebGL 2')
         const drawing = gl ? photonlabGl(gl, memory) : {}
         const missing = name => () => {
@@ -135,7 +135,7 @@ class Photonlab {
 
     // What runs of this kind have found is forgotten.
     begin(kind) {
-        if (this.canvas) this.must('web_open_canvas')
+        if (this.canvas && kind !== 'photons') this.must('web_open_canvas')
         this.call('web_begin', this.list.runs.indexOf(kind))
     }
 

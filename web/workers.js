@@ -14,6 +14,7 @@ class PhotonlabWorkers {
         this.workers = Array.from({length: count}, () => null)
         this.ids = 0
         this.runs = {} // by kind: the number of the last one
+        this.workers.forEach((worker, i) => this.start(i).catch(() => {})) // who asks it is told
     }
 
     // `scene`: {yaml, name, files}, the same object while it is the same scene. `settings`: lab.all(). `receive` is called with
@@ -52,17 +53,18 @@ class PhotonlabWorkers {
         })
     }
 
+    start(i) {
+        const worker = new Worker(this.url)
+        this.workers[i] = {worker, scene: null, asked: new Map(), clock: 0}
+        worker.onmessage = ({data}) => this.workers[i] && this.workers[i].worker === worker && this.hear(i, data)
+        worker.onerror = event => this.end(i, event.message || 'the worker failed')
+        return this.send(i, {what: 'open', compiled: this.compiled})
+    }
+
     // Worker number i is asked, with this scene loaded; it is started when it does not run. It does one after the other, so
     // that nothing can come between the scene and the question.
     ask(i, scene, question, receive) {
-        const questions = []
-        if (!this.workers[i]) {
-            const worker = new Worker(this.url)
-            this.workers[i] = {worker, scene: null, asked: new Map(), clock: 0}
-            worker.onmessage = ({data}) => this.workers[i] && this.workers[i].worker === worker && this.hear(i, data)
-            worker.onerror = event => this.end(i, event.message || 'the worker failed')
-            questions.push(this.send(i, {what: 'open', compiled: this.compiled}))
-        }
+        const questions = this.workers[i] ? [] : [this.start(i)]
         if (this.workers[i].scene !== scene) {
             this.workers[i].scene = scene
             questions.push(this.send(i, {what: 'scene', ...scene}))

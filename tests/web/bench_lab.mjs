@@ -37,6 +37,32 @@ const inPage = (page, scene) => page.evaluate(async (scene, photons) => {
     lab.trace()
 }, scene, PHOTONS)
 
+// Milliseconds from the page's beginning until there are photons in its picture.
+const firstPhotons = page => page.evaluate(async () => {
+    while (!state.shown || state.pending) await new Promise(requestAnimationFrame)
+    document.getElementById('picture').getContext('webgl2').finish()
+    return performance.now()
+})
+
+// Turns the scene for so many seconds, with so many points or as many as the lab chooses; then lets it rest.
+const orbit = (page, points, seconds) => page.evaluate(async (points, seconds) => {
+    const gl = document.getElementById('picture').getContext('webgl2'), one = new Uint8Array(4)
+    const drawn = [], began = performance.now(), finished = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, one)
+    if (points) keepPace = () => { state.points = points }
+    while (performance.now() - began < 1000 * seconds) {
+        state.lab.turn(0.01, 0)
+        moved()
+        await new Promise(requestAnimationFrame)
+        finished()
+        drawn.push(state.points)
+    }
+    const ended = performance.now()
+    while (state.lab.get('most_points')) await new Promise(requestAnimationFrame)
+    finished()
+    const {width, height} = gl.canvas
+    return {width, height, rate: drawn.length / (ended - began) * 1000, points: drawn.at(-1), rest: performance.now() - ended}
+}, points, seconds)
+
 // Draws frame after frame, each read back, as turning the scene does.
 const frames = (page, points) => page.evaluate((points, count) => {
     const {lab} = state, canvas = document.getElementById('picture'), gl = canvas.getContext('webgl2'), one = new Uint8Array(4)
@@ -56,12 +82,21 @@ for (const name of installed()) {
         await act()
         return processorSeconds(browser.process().pid) - before
     }
-    await page.setViewport({width: 1280, height: 900})
-    const began = performance.now()
-    await page.goto(`file://${path.resolve(site)}/lab.html`)
-    await page.waitForFunction(() => state.lab && state.lab.collected().photons > 0, {polling: 10})
-    console.log(`${name}: first photons ${((performance.now() - began) / 1000).toFixed(2)} s after opening`)
-    await page.waitForFunction(() => state.seconds > 0, {timeout: 120000})
+    await page.setViewport({width: 1600, height: 1000})
+    const opened = []
+    for (let round = 0; round < ROUNDS; round++) {
+        await page.goto('about:blank')
+        await page.goto(`file://${path.resolve(site)}/lab.html`, {waitUntil: 'domcontentloaded'})
+        opened.push(await firstPhotons(page) / 1000)
+        await page.waitForFunction(() => state.seconds > 0, {timeout: 120000})
+    }
+    console.log(`${name}: first photons drawn ${opened[0].toFixed(2)} s after the first opening, median of ${ROUNDS} ${median(opened).toFixed(2)} s`)
+    await page.addStyleTag({content: '#stage { position: fixed; inset: 0 auto auto 0; width: 1280px; height: 720px; max-height: none }'})
+    for (const points of [0, 50000]) {
+        const {width, height, rate, points: drawn, rest} = await orbit(page, points, 4)
+        console.log(`${name}: turned at ${rate.toFixed(0)} frames a second, ${width} x ${height}, with ${drawn} points${points ? '' : ', as many as the lab chooses'}; ` +
+            `all of them ${(rest / 1000).toFixed(2)} s after coming to rest (by the clock: worth something on an idle machine)`)
+    }
     for (const scene of ['box_glass.yaml', 'box_glossy.yaml', 'prism.yaml']) {
         const ratios = []
         for (let round = 0; round < ROUNDS; round++)

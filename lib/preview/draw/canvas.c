@@ -49,8 +49,10 @@ Canvas *canvas_create(GlLoader loader, int width, int height, Error *error)
     }
     keep_freed_memory();
     const Gl *gl = &canvas->gl;
+#ifndef __wasm__ // a page's context has but one user, and a copy would take software WebGL half a frame's time
     gl->GenFramebuffers(1, &canvas->framebuffer);
     gl->GenRenderbuffers(1, &canvas->colour);
+#endif
     gl->GenFramebuffers(1, &canvas->picture);
     gl->GenTextures(1, &canvas->texture);
     canvas->program = gl_program(gl, VERTEX_SHADER, FRAGMENT_SHADER, error);
@@ -88,6 +90,8 @@ void canvas_free(Canvas *canvas)
 static bool size_framebuffer(Canvas *canvas, int width, int height)
 {
     const Gl *gl = &canvas->gl;
+    if (!canvas->framebuffer)
+        return true;
     while (gl->GetError()) // of earlier days
         ;
     gl->BindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
@@ -175,6 +179,8 @@ void canvas_read(Canvas *canvas, uint8_t *rgba)
 void canvas_present(Canvas *canvas, int window_width, int window_height)
 {
     const Gl *gl = &canvas->gl;
+    if (!canvas->framebuffer)
+        return;
     gl->Disable(GL_SCISSOR_TEST); // which cuts blits, too
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, canvas->framebuffer);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);

@@ -13,7 +13,7 @@ typedef struct {
 struct Canvas {
     Gl gl;
     int width, height;
-    unsigned framebuffer, colour;
+    unsigned framebuffer, colour; // 0: the context's own framebuffer, which somebody else sizes
     unsigned program;
     int projection, exposure, opacity; // its uniforms
     unsigned picture, texture;         // canvas_picture's: a framebuffer, and what it shows
