@@ -53,7 +53,7 @@ s@<mo>=</mo>(</mrow><annotation)@<mo rspace="0">=</mo>\1@g
 SPACES
 sed -E -f "$out/.parts/$name.sed" "$out/.parts/$name.html" >"$out/.parts/$name.spaced"
 
-if [ -n "$module" ] && grep -q 'class="live"' "$out/.parts/$name.spaced"; then
+if [ -n "$module" ] && grep -qE 'class="(live|tile right)"' "$out/.parts/$name.spaced"; then
     sh web/figures/add_figures.sh "$module" "$out/.parts/$name.spaced" >"$out/.parts/$name.live"
     mv "$out/.parts/$name.live" "$out/.parts/$name.spaced"
 fi

@@ -56,7 +56,10 @@ async function tryFigure(page, place, name, where) {
     await still(page)
     const box = await canvas.boundingBox()
     if (await place.evaluate(e => Boolean(figures[e.dataset.live].drag || figures[e.dataset.live].scene))) {
-        const seen = () => canvas.evaluate(c => c.toDataURL())
+        const seen = () => place.evaluate(e => { // what a canvas shows is gone with its frame
+            e.live.draw()
+            return e.live.canvas.toDataURL()
+        })
         const before = await seen()
         await page.mouse.move(box.x + 0.3 * box.width, box.y + 0.4 * box.height)
         await page.mouse.down()
@@ -73,12 +76,58 @@ async function tryFigure(page, place, name, where) {
     }
 }
 
-async function tryPage(browser, kind, chapter) {
+async function openPage(browser, name, viewport = {width: 1280, height: 900}) {
     const page = await browser.newPage(), said = []
     page.on('pageerror', error => said.push(error.message))
     page.on('console', message => message.type() === 'error' && said.push(message.text()))
-    await page.setViewport({width: 1280, height: 900})
-    await page.goto(`file://${path.resolve(site, chapter)}`)
+    await page.setViewport(viewport)
+    await page.goto(`file://${path.resolve(site, name)}`)
+    return {page, said}
+}
+
+// Right and wrong over each other in the gallery.
+async function tryTiles(browser, kind) {
+    const {page, said} = await openPage(browser, 'gallery.html'), where = `${kind}, gallery`
+    const pairs = await page.$$eval('.compared', all => all.map(e => {
+        const [wrong, right] = e.querySelectorAll('img'), before = [...document.querySelectorAll('.tile.right img')].filter(i => i.src === right.src)
+        const step = image => image.alt.split(',')[0]
+        return wrong.naturalWidth === right.naturalWidth && wrong.naturalHeight === right.naturalHeight && before.some(i => step(i) === step(wrong))
+    }))
+    check(`${where}: ${pairs.length} wrong pictures lie below a right one of their step and size`, pairs.length > 200 && pairs.every(Boolean), pairs.indexOf(false))
+    const place = await page.$('.compared'), slider = await page.$('.tile input'), share = () => slider.evaluate(e => Number(e.value))
+    await place.evaluate(e => e.scrollIntoView({block: 'center'}))
+    const before = await place.screenshot({encoding: 'base64'}), {x, y, width, height} = await place.boundingBox()
+    await page.mouse.move(x + 0.2 * width, y + height / 2)
+    await page.mouse.down()
+    await page.mouse.move(x + 0.7 * width, y + height / 2, {steps: 3})
+    await page.mouse.up()
+    check(`${where}: the line follows the mouse`, near(await share(), 70, 2), await share())
+    check(`${where}: and the picture changes`, (await place.screenshot({encoding: 'base64'})) !== before)
+    await page.screenshot({path: `${shots}/gallery_${kind}_1280.png`})
+    await slider.focus()
+    await page.keyboard.press('Home')
+    check(`${where}: the slider's keys move it`, (await share()) === 0, await share())
+    check(`${where}: no error in the console`, said.length === 0, said)
+    await page.close()
+}
+
+async function tryTilesByFinger(browser) {
+    const {page} = await openPage(browser, 'gallery.html', {width: 400, height: 800, hasTouch: true})
+    await page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: 'dark'}])
+    const place = await page.$('.compared')
+    await place.evaluate(e => e.scrollIntoView({block: 'center'}))
+    const {x, y, width} = await place.boundingBox()
+    await page.touchscreen.touchStart(x + 5, y + 20)
+    await page.touchscreen.touchMove(x + width / 2, y + 20)
+    await page.touchscreen.touchEnd()
+    const share = await page.$eval('.tile input', e => Number(e.value))
+    check('gallery: the line follows a finger', near(share, 50, 3), share)
+    await page.screenshot({path: `${shots}/gallery_400.png`})
+    await page.close()
+}
+
+async function tryPage(browser, kind, chapter) {
+    const {page, said} = await openPage(browser, chapter)
     const quiet = await page.$$eval('.live', places => places.filter(e => e.querySelector('canvas')).length)
     check(`${kind}, ${chapter}: quiet until it is scrolled to`, quiet <= 1, quiet)
     const places = await page.$$('.live')
@@ -108,6 +157,8 @@ for (const kind of installed()) {
     const browser = await launch(kind, tools)
     let all = 0
     for (const chapter of chapters) all += await tryPage(browser, kind, chapter)
+    if (!only || only === 'gallery') await tryTiles(browser, kind)
+    if (kind === 'chromium' && (!only || only === 'gallery')) await tryTilesByFinger(browser)
     if (!only) check(`${kind}: ${all} live figures`, all >= 10, all)
     await browser.close()
 }

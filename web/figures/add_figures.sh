@@ -1,7 +1,13 @@
 #!/bin/sh
-# A page with what its live figures need before its end. Usage: add_figures.sh MODULE.wasm PAGE.html
+# A page with what its live figures, or its pairs of right and wrong, need before its end. Usage: add_figures.sh MODULE.wasm PAGE.html
 set -eu
 module=$1 page=$2
+sed '/^<\/body>$/,$d' "$page"
+if grep -q 'class="tile right"' "$page"; then
+    cat web/figures/tiles.html
+    sed -n '/^<\/body>$/,$p' "$page"
+    exit
+fi
 names=$(grep -o 'data-live="[a-z]*"' "$page" | sed 's/.*"\(.*\)"/\1/' | LC_ALL=C sort -u)
 figures=""
 for name in $names; do
@@ -16,6 +22,5 @@ trap 'rm -f "$template"' EXIT
     for figure in $figures; do echo "@FILE $figure@"; done
     sed '1,/^@FIGURES@$/d' web/figures/figures.html
 } >"$template"
-sed '/^<\/body>$/,$d' "$page"
 sh web/make_page.sh "$template" "$module" $scenes
 sed -n '/^<\/body>$/,$p' "$page"
