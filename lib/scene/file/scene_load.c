@@ -27,8 +27,8 @@ static bool build_scene(SceneBuilder *builder)
     for (size_t i = 0; i < scene->light_count; i++)
         if (scene->lights[i].type == LIGHT_SPHERE)
             scene->lights[i].primitive += (uint32_t)scene->flat_count;
-    for (Flat *flat = scene->flats; flat < scene->flats + scene->flat_count; flat++)
-        flat->normal = vec3_normalize(vec3_cross(flat->edge_u, flat->edge_v));
+    for (size_t i = 0; i < scene->flat_count; i++)
+        scene->flats[i].normal = vec3_normalize(vec3_cross(scene->flats[i].edge_u, scene->flats[i].edge_v));
     scene->bvh = bvh_build(scene->flats, scene->flat_count, scene->spheres, scene->sphere_count, builder->file.error);
     return scene->bvh || error_set(builder->file.error, "%s: not enough memory for the hierarchy", builder->file.name);
 }
