@@ -1,6 +1,6 @@
 # Other machines and systems than this one; included by tests.mk. None is a part of `make check`: they fetch compilers and libraries.
 
-.PHONY: check-macos check-elsewhere check-ci
+.PHONY: check-macos check-elsewhere check-ci check-debian
 
 # What Debian does not have, or not of today, comes from PyPI, in versions that are known to do, each into a folder of its own.
 ZIG        = $(BUILD)/tools/ziglang-0.17.1
@@ -25,3 +25,8 @@ check-elsewhere: all meshes
 JSONSCHEMA = $(BUILD)/tools/check-jsonschema-0.39.0
 check-ci: $(JSONSCHEMA) $(SHELLCHECK)
 	@bash tests/elsewhere/ci.sh $(JSONSCHEMA) $(SHELLCHECK)/bin/shellcheck
+
+##check long check-debian  make setup demo and make setup check in a bare container: SUITE=trixie (a quarter of an hour)
+SUITE ?= trixie
+check-debian:
+	@bash tests/elsewhere/debian.sh $(BUILD) $(call quoted,$(SUITE))
