@@ -15,7 +15,7 @@ rm -rf "$suite" && mkdir "$suite" && tar -C "$suite" -xf "$suite.tar"
 git clone -q --no-hardlinks "$(git rev-parse --show-toplevel)" "$suite/photonlab"
 cp /etc/resolv.conf "$suite/etc/"
 
-cat >"$suite/run" <<'END'
+cat >"$suite/commands" <<'END'
 set -eux
 umask 022
 apt-get -qq update
@@ -41,4 +41,4 @@ exec unshare --mount --pid --ipc --uts --fork sh -eu -c '
     ln -s pts/ptmx "$there/dev/ptmx"
     ln -s /proc/self/fd "$there/dev/fd"
     for device in null zero full random urandom tty; do cp -a "/dev/$device" "$there/dev/"; done
-    exec env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root setpriv --bounding-set "$rights" --inh-caps=-all chroot "$there" sh /run'
+    exec env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root setpriv --bounding-set "$rights" --inh-caps=-all chroot "$there" sh /commands'
