@@ -43,6 +43,12 @@ PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))
 PKG_LIBS   := $(or $(if $(PKG),$(shell pkg-config --libs $(PACKAGES) 2>/dev/null)),-lpng -lyaml)
 
+# Pictures in EXR, where a program links with OpenEXR's C interface.
+EXR_CFLAGS := $(if $(PKG),$(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I OpenEXR 2>/dev/null)))
+EXR_LIBS   := $(if $(PKG),$(filter -L% -lOpenEXRCore%,$(shell pkg-config --libs OpenEXR 2>/dev/null)))
+HAVE_EXR   := $(if $(EXR_LIBS),$(shell echo 'int main(void) { return exr_finish == 0; }' | \
+                  $(CC) $(EXR_CFLAGS) -include openexr.h -x c - $(EXR_LIBS) -o /dev/null 2>/dev/null && echo yes))
+
 ifeq ($(SYSTEM),Darwin)
 # Apple's compilers do not look where Homebrew puts things, and know OpenMP under another name.
 BREW      := $(shell brew --prefix 2>/dev/null)
@@ -72,7 +78,7 @@ LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(subst 
 
 # Folders called test hold programs of their own.
 find_c           = $(sort $(shell find $(1) -name '*.c' ! -path '*/test/*' 2>/dev/null))
-LIBRARY_SOURCES := $(filter-out lib/cli/% lib/preview/%,$(call find_c,lib))
+LIBRARY_SOURCES := $(filter-out lib/cli/% lib/preview/% lib/image/exr$(if $(HAVE_EXR),_none).c,$(call find_c,lib))
 # Without the headers of GLFW and OpenGL there is no preview, and `photonlab preview` says what to install.
 HAVE_PREVIEW    := $(shell $(CC) $(PKG_CFLAGS) -DGLFW_INCLUDE_GLCOREARB -include GLFW/glfw3.h -fsyntax-only -x c /dev/null 2>/dev/null && echo yes)
 PREVIEW_SOURCES := $(if $(HAVE_PREVIEW),$(call find_c,lib/preview))
@@ -106,6 +112,8 @@ $(BUILD)/obj/%.o: %.c
 	$(call say,cc,$<)
 	$(call beside,$(CC) $(CFLAGS) -MMD -MP -MT $@ -MF $(@:.o=.d) -c $< -o $$new)
 
+$(BUILD)/obj/lib/image/exr.o: override CFLAGS += $(EXR_CFLAGS)
+$(LIBRARY): LDLIBS += $(if $(HAVE_EXR),$(EXR_LIBS))
 $(LIBRARY): $(call object,$(LIBRARY_SOURCES))
 	$(call say,link,$@)
 	$(call beside,$(CC) $(CFLAGS) $(SHARED) $^ -o $$new $(LDLIBS))

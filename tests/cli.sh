@@ -20,7 +20,7 @@ done
 # Wrong usage: 2.
 expect 2 "expected one scene file" "$program" render -o "$work/a.png"
 expect 2 "say where to write" "$program" render $scene
-expect 2 "expected .png (to look at) or .pfm (to measure)" "$program" render $scene -o "$work/a.jpg"
+expect 2 "expected .png (to look at), .pfm (to measure) or .exr" "$program" render $scene -o "$work/a.jpg"
 expect 2 "--photons 0: expected a whole number" "$program" render $scene -o "$work/a.png" --photons 0
 expect 2 "--photons 1e6: expected a whole number" "$program" render $scene -o "$work/a.png" --photons 1e6
 expect 2 "--k -3" "$program" render $scene -o "$work/a.png" --k -3
@@ -50,6 +50,12 @@ ok "it is XML" xmllint --noout "$work/a.xml"
 expect 0 "renders by wavelength" "$program" export scenes/box_dispersion.yaml -o "$work/a.pbrt"
 ok "glass has its index over wavelength" grep -q 'dielectric.*spectrum eta.* 590 2\.417' "$work/a.pbrt"
 expect 1 "No such file" "$program" export $scene -o "$work/no/such/place.xml"
+if "$program" render $scene $quick -o "$work/a.exr" --quiet 2>"$work/err"; then
+    "$program" render $scene $quick -o "$work/a.pfm" --quiet
+    expect 0 "relMSE 0, trimmed 0" "$program" diff "$work/a.exr" "$work/a.pfm"
+else
+    ok "without OpenEXR it is said" grep -q "built without OpenEXR" "$work/err"
+fi
 
 # The table of steps, and hints.
 expect 0 "2.1	sample_lobe	2	2_glossy_lobe/2.1_sample_lobe	" "$program" steps

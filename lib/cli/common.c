@@ -86,8 +86,7 @@ void choose_steps(const char *code, const char *steps_text, bool spectral, const
 bool write_picture(Image *image, const char *path, int bits, bool *sound, Error *error)
 {
     *sound = image_mark_unsound(image, path, error);
-    bool saved = bits == 16 ? image_write_png(image, path, 16, error) : image_write(image, path, error);
-    return saved && *sound;
+    return image_write_bits(image, path, bits, error) && *sound;
 }
 
 void report_suspects(StepChoice choice)

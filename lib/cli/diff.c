@@ -5,7 +5,7 @@
 static const char help[] =
     "usage: photonlab diff IMAGE REFERENCE [-o DIFFERENCE.png] [flags]\n"
     "\n"
-    "Compares two pictures (.pfm or .png) of one size. Prints, per channel: RMSE; relMSE, the mean of (x−r)²/(r²+0.01); the\n"
+    "Compares two pictures (.pfm, .exr or .png) of one size. Prints, per channel: RMSE; relMSE, the mean of (x−r)²/(r²+0.01); the\n"
     "ratio of the means. `trimmed` leaves out the worst 0.1 % of pixels.\n"
     "\n"
     "  -o FILE              also draw image − reference: red brighter, blue darker, white the same\n"

@@ -5,11 +5,11 @@
 #include <stdio.h>
 
 static const char help[] =
-    "usage: photonlab render SCENE -o OUT.png|OUT.pfm [flags]\n"
+    "usage: photonlab render SCENE -o OUT.png|OUT.pfm|OUT.exr [flags]\n"
     "\n"
     "Renders a scene. What a flag does not say, the scene's `render:` section does.\n"
     "\n"
-    "  -o FILE              where to: .png (sRGB, for looking) or .pfm (linear floats, for measuring)\n"
+    "  -o FILE              where to: .png (sRGB, for looking); .pfm, .exr (linear floats, for measuring and for other programs)\n"
     "  --bits 8|16          of the PNG's channels (8)\n"
     "  --integrator NAME    photons       direct light by shadow rays, the rest from photon maps (default)\n"
     "                       photons-only  everything from the map at the first rough surface\n"

@@ -13,9 +13,19 @@ typedef bool ImageDecoder(Image *image, const unsigned char *bytes, size_t size,
 ImageDecoder image_read_png_memory;
 ImageDecoder image_read_pfm_memory;
 
-// Writes a checked image to the stream; whether that took it all shows when the file is closed. bits: 8 or 16.
-bool image_encode_png(const Image *image, FILE *stream, const char *name, int bits, Error *error);
-void image_encode_pfm(const Image *image, FILE *stream);
+// Writes a checked image to the stream; whether that took it all shows when the file is closed. bits, of a PNG: 8 or 16.
+typedef bool ImageEncoder(const Image *image, FILE *stream, const char *name, int bits, Error *error);
+
+typedef struct {
+    const char *ending, *use; // ".png", "to look at"
+    ImageDecoder *decode;
+    ImageEncoder *encode;
+    const char *missing; // why this build has neither; NULL: it has both
+} ImageFormat;
+
+#define IMAGE_FORMAT(name) extern const ImageFormat image_format_##name;
+#include "image/formats.def"
+#undef IMAGE_FORMAT
 
 // False when a side or the number of pixels is out of bounds.
 bool image_check_size(long width, long height, const char *name, Error *error);

@@ -1,5 +1,6 @@
 #include "image/codec.h"
 #include "base/file.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -84,50 +85,79 @@ float srgb_decode(float encoded)
     return encoded <= 0.04045f ? encoded / 12.92f : powf((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
+#define IMAGE_FORMAT(name) &image_format_##name,
+static const ImageFormat *const formats[] = {
+#include "image/formats.def"
+};
+#define FORMAT_COUNT (sizeof formats / sizeof formats[0])
+
+// By the path's ending; NULL with the error where there is none, or not in this build.
+static const ImageFormat *format_of(const char *path, Error *error)
+{
+    char known[200] = "";
+    for (size_t i = 0; i < FORMAT_COUNT; i++) {
+        const ImageFormat *format = formats[i];
+        if (file_ends_in(path, format->ending)) {
+            if (format->missing)
+                error_set(error, "%s: no %s files here: %s", path, format->ending, format->missing);
+            return format->missing ? NULL : format;
+        }
+        text_append(known, sizeof known, "%s%s (%s)",
+                    i == 0                 ? ""
+                    : i + 1 < FORMAT_COUNT ? ", "
+                                           : " or ",
+                    format->ending, format->use);
+    }
+    const char *ending = file_ending(path);
+    error_set(error, "%s: the name %s%s; expected %s", path, *ending ? "ends in " : "has no ending", ending, known);
+    return NULL;
+}
+
 bool image_path_is_known(const char *path, Error *error)
 {
-    if (file_ends_in(path, ".png") || file_ends_in(path, ".pfm"))
-        return true;
-    const char *ending = file_ending(path);
-    return error_set(error, "%s: the name %s%s; expected .png (to look at) or .pfm (to measure)", path,
-                     *ending ? "ends in " : "has no ending", ending);
+    return format_of(path, error) != NULL;
 }
 
 bool image_read(Image *image, const char *path, Error *error)
 {
     *image = (Image){0};
     size_t size;
-    char *bytes = image_path_is_known(path, error) ? file_read(path, MAX_FILE_BYTES, &size, error) : NULL;
+    const ImageFormat *format = format_of(path, error);
+    char *bytes = format ? file_read(path, MAX_FILE_BYTES, &size, error) : NULL;
     if (!bytes)
         return false;
-    ImageDecoder *decode = file_ends_in(path, ".png") ? image_read_png_memory : image_read_pfm_memory;
-    bool good = decode(image, (unsigned char *)bytes, size, path, error);
+    bool good = format->decode(image, (unsigned char *)bytes, size, path, error);
     free(bytes);
     return good;
 }
 
-bool image_write_png(const Image *image, const char *path, int bits, Error *error)
+static bool write_as(const ImageFormat *format, const Image *image, const char *path, int bits, Error *error)
 {
     FileWriter writer;
-    if (bits != 8 && bits != 16)
-        return error_set(error, "%s: a PNG file of %d bits was asked for; expected 8 or 16", path, bits);
     if (!image_check_finite(image, path, error) || !file_write_begin(&writer, path, error))
         return false;
-    return file_write_end(&writer, image_encode_png(image, writer.stream, path, bits, error), error);
+    return file_write_end(&writer, format->encode(image, writer.stream, path, bits, error), error);
+}
+
+bool image_write_png(const Image *image, const char *path, int bits, Error *error)
+{
+    if (bits != 8 && bits != 16)
+        return error_set(error, "%s: a PNG file of %d bits was asked for; expected 8 or 16", path, bits);
+    return write_as(&image_format_png, image, path, bits, error);
 }
 
 bool image_write_pfm(const Image *image, const char *path, Error *error)
 {
-    FileWriter writer;
-    if (!image_check_finite(image, path, error) || !file_write_begin(&writer, path, error))
-        return false;
-    image_encode_pfm(image, writer.stream);
-    return file_write_end(&writer, true, error);
+    return write_as(&image_format_pfm, image, path, 0, error);
 }
 
 bool image_write(const Image *image, const char *path, Error *error)
 {
-    if (!image_path_is_known(path, error))
-        return false;
-    return file_ends_in(path, ".png") ? image_write_png(image, path, 8, error) : image_write_pfm(image, path, error);
+    return image_write_bits(image, path, 8, error);
+}
+
+bool image_write_bits(const Image *image, const char *path, int bits, Error *error)
+{
+    const ImageFormat *format = format_of(path, error);
+    return format && write_as(format, image, path, bits, error);
 }

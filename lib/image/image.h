@@ -1,5 +1,5 @@
 // Images: linear RGB floats (radiance, W/(m²·sr)), row 0 at the top. PNG is for looking (sRGB, clipped to 0…1), PFM
-// for measuring (linear floats, nothing lost).
+// for measuring (linear floats, nothing lost), EXR the same for other programs.
 #ifndef PHOTONLAB_IMAGE_IMAGE_H
 #define PHOTONLAB_IMAGE_IMAGE_H
 
@@ -34,13 +34,14 @@ static inline Colour *image_at(const Image *image, int column, int row)
 float srgb_encode(float linear);
 float srgb_decode(float encoded);
 
-// Reads or writes by the file's ending: .png or .pfm (any case). Reading: PNG of 8 or 16 bits, grey or colour, alpha
+// Reads or writes by the file's ending (any case): .png, .pfm or, where OpenEXR was there to build with, .exr. Reading: PNG of 8 or 16 bits, grey or colour, alpha
 // dropped, its values taken for sRGB whatever colour space it names; PFM of one or three channels, either byte order,
-// its scale's magnitude ignored. A file that is truncated, too large or holds NaN or infinity is an error, and leaves
+// its scale's magnitude ignored; EXR of scan lines with R, G and B, or Y. A file that is truncated, too large or holds NaN or infinity is an error, and leaves
 // the image empty. Reading does not free what the image held before. Writing goes to a file beside, then renames it:
 // a failed write leaves the old file as it was. An image that holds NaN or infinity is not written.
 bool image_read(Image *image, const char *path, Error *error);
 bool image_write(const Image *image, const char *path, Error *error);
+bool image_write_bits(const Image *image, const char *path, int bits, Error *error); // of a PNG's channels: 8 or 16
 
 // As above with the format chosen, whatever the ending. bits: 8 or 16.
 bool image_write_png(const Image *image, const char *path, int bits, Error *error);

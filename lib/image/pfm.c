@@ -134,8 +134,9 @@ bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size
 }
 
 // Little-endian on every machine, so that the same image gives the same file.
-void image_encode_pfm(const Image *image, FILE *stream)
+static bool encode(const Image *image, FILE *stream, const char *name, int bits, Error *error)
 {
+    (void)name, (void)bits, (void)error;
     fprintf(stream, "PF\n%d %d\n-1.0\n", image->width, image->height);
     for (int row = image->height - 1; row >= 0; row--)
         for (int column = 0; column < image->width; column++) {
@@ -145,4 +146,7 @@ void image_encode_pfm(const Image *image, FILE *stream)
                 at = file_put_float(at, colour_channel(pixel, c));
             fwrite(bytes, 1, sizeof bytes, stream);
         }
+    return true;
 }
+
+const ImageFormat image_format_pfm = {".pfm", "to measure", image_read_pfm_memory, encode, NULL};

@@ -159,7 +159,7 @@ static bool write_all(Codec *codec, int bits)
     return true;
 }
 
-bool image_encode_png(const Image *image, FILE *stream, const char *name, int bits, Error *error)
+static bool encode(const Image *image, FILE *stream, const char *name, int bits, Error *error)
 {
     Codec codec = {.name = name, .error = error, .source = image};
     codec.row = malloc(6 * (size_t)image->width);
@@ -176,3 +176,5 @@ bool image_encode_png(const Image *image, FILE *stream, const char *name, int bi
     free(codec.row);
     return good;
 }
+
+const ImageFormat image_format_png = {".png", "to look at", image_read_png_memory, encode, NULL};

@@ -40,6 +40,15 @@ sed -e 's/indices: .*}/index: 1.5}/' \
     -e 's|{type: prism.*|{type: mesh, file: meshes/bumpy_sphere.obj, material: flint, scale: 0.35, translate: [0.5, 0.4, 0]}|' \
     $agreement/dispersion.yaml >"$work/mesh_of_glass.yaml"
 sed -e '/type: beam/d' -e 's/type: glossy, diffuse\(.*\), specular.*/type: diffuse, reflectance\1}/' $agreement/lights.yaml >"$work/lamps.yaml"
+if "$program" render scenes/box_glass.yaml --size 61x47 --samples 1 --photons 1000 --quiet -o "$work/ours.exr" 2>"$work/err"; then
+    "$program" render scenes/box_glass.yaml --size 61x47 --samples 1 --photons 1000 --quiet -o "$work/ours.pfm"
+    "$python" "$here/mitsuba_render.py" "$work/ours.exr" "$work/theirs.pfm" "$work/theirs.exr"
+    for file in theirs.pfm theirs.exr; do
+        expect 0 "relMSE 0, trimmed 0" "$program" diff "$work/$file" "$work/ours.pfm"
+    done
+else
+    echo "skipped: pictures in EXR: $(cat "$work/err")"
+fi
 same scenes/cornell_box.yaml 1024   # a mesh
 same scenes/box_glass.yaml 1024     # a mirror and a ball of glass
 same "$work/mesh_of_glass.yaml" 1024

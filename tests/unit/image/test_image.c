@@ -1,5 +1,7 @@
 // Images: the sRGB curve, files that are written and read again, writes that fail, differences worked out by hand.
 #include "unit/image/image_helpers.h"
+#include "base/file.h"
+#include "image/codec.h"
 
 #include <dirent.h>
 #include <float.h>
@@ -99,16 +101,46 @@ TEST(create_refuses_impossible_sizes)
 static const int sizes[][2] = {{1, 1}, {1, 7}, {9, 1}, {5, 3}, {64, 33}};
 #define SIZES (sizeof sizes / sizeof *sizes)
 
-TEST(pfm_comes_back_exactly)
+// Without OpenEXR, EXR is refused as a name.
+TEST(pfm_and_exr_come_back_exactly)
 {
-    for (size_t i = 0; i < SIZES; i++) {
-        Image image = make_pattern(sizes[i][0], sizes[i][1]);
+    bool has_exr = !image_format_exr.missing;
+    for (size_t i = 0; i < SIZES * (has_exr ? 2 : 1); i++) {
+        const char *name = i < SIZES ? "exact.PFM" : "exact.Exr";
+        Image image = make_pattern(sizes[i % SIZES][0], sizes[i % SIZES][1]);
         image.pixels[0] = colour(-FLT_MAX, 1e-42f, -0.0f);
-        assert_true(image_write(&image, "exact.PFM", NULL));
-        Image again = image_of_file("exact.PFM");
+        assert_true(image_write_bits(&image, name, 16, NULL));
+        Image again = image_of_file(name);
         assert_int_equal(again.width, image.width);
         assert_int_equal(again.height, image.height);
         assert_memory_equal(again.pixels, image.pixels, sizeof(Colour) * (size_t)image.width * (size_t)image.height);
+    }
+}
+
+// Cut off anywhere, or with a byte of the first 2000 spoilt: an error or a picture, and nothing left of one that failed.
+TEST(damaged_exr_is_refused)
+{
+    Image image = make_pattern(33, 40), again;
+    Error error = {""};
+    if (!image_write(&image, "damaged.exr", &error)) {
+        assert_message(&error, "damaged.exr: no .exr files here: built without OpenEXR");
+        return;
+    }
+    size_t size;
+    char *bytes = file_read("damaged.exr", 100000, &size, &error);
+    assert_non_null(bytes);
+    at_end(free, bytes);
+    for (size_t i = 0; i < size; i += 7) {
+        error = (Error){""};
+        assert_false(image_format_exr.decode(&again, (unsigned char *)bytes, i, "cut.exr", &error));
+        assert_message(&error, "cut.exr: EXR: ");
+        assert_null(again.pixels);
+    }
+    for (size_t i = 0; i < 2000 && i < size; i++) {
+        bytes[i] = (char)(bytes[i] ^ (1 << i % 8));
+        if (image_format_exr.decode(&again, (unsigned char *)bytes, size, "spoilt.exr", &error))
+            image_free(&again);
+        bytes[i] = (char)(bytes[i] ^ (1 << i % 8));
     }
 }
 
