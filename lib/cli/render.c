@@ -1,5 +1,6 @@
 #include "cli/guard.h"
 #include "cli/render_passes.h"
+#include "cli/tev.h"
 #include "base/file.h"
 
 #include <stdio.h>
@@ -38,11 +39,12 @@ static const char help[] =
     "  --spectral           photons of single wavelengths, as step 6.4 has them, not of red, green and blue\n"
     "  --wavelengths 1|3    with wavelengths: how many a photon has, until it meets dispersing glass (3)\n"
     "  --glass-sides 1|2    1: eye rays bend at the front of glass only, the looking glass of the source text\n"
+    "  --tev HOST[:PORT]    shows the picture in the viewer tev while it is made (port " TEV_PORT ")\n"
     "  --quiet              no progress and no summary\n"
     "  --json               one line of JSON on standard output: counts, rays, seconds, the energy ledger\n";
 
 typedef struct {
-    const char *scene, *out, *code, *steps;
+    const char *scene, *out, *code, *steps, *tev;
     int size[2];
     Choice integrator;
     RenderSettings settings; // 0 or −1: no flag, so the scene's own value counts
@@ -81,6 +83,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"spectral", FLAG_PRESENT, &a->spectral, 0, 0},
         {"wavelengths", FLAG_INT, &a->wavelengths, 1, 3},
         {"glass-sides", FLAG_INT, &a->options.glass_sides, 1, 2},
+        {"tev", FLAG_TEXT, &a->tev, 0, 0},
         {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
         {"json", FLAG_PRESENT, &a->json, 0, 0},
     };
@@ -139,14 +142,25 @@ static void print_json(const RenderStats *s)
     printf("}\n");
 }
 
-static bool render_once(Arguments *a, const Scene *scene, bool *sound, RenderStats *stats, Error *error)
+static void show_tile(void *user, const Image *image, int x, int y, int width, int height)
+{
+    tev_show(user, image, x, y, width, height);
+}
+
+static bool render_once(Arguments *a, const Scene *scene, Tev *tev, bool *sound, RenderStats *stats, Error *error)
 {
     ProgressBar bar;
     Image image = {0, 0, NULL};
+    if (tev) {
+        a->options.tiles.take = show_tile;
+        a->options.tiles.user = tev;
+    }
     a->options.progress = progress_bar_start(&bar, a->quiet);
     bool ok = render_image(scene, &a->options, &image, stats, error);
     progress_bar_end(&bar);
     ok = ok && write_picture(&image, a->out, a->bits, sound, error);
+    if (tev && !*sound)
+        tev_show_all(tev, &image); // with what was marked
     image_free(&image);
     return ok;
 }
@@ -180,10 +194,18 @@ int command_render(int count, char **arguments)
 
     RenderStats stats;
     bool sound = true;
-    PassJob job = {a.scene, a.out, a.bits, a.quiet, &sound};
+    Tev *tev = NULL;
+    if (a.tev && !(tev = tev_open(a.tev, a.out, a.options.settings.width, a.options.settings.height, &error))) {
+        scene_free(scene);
+        return report_error(&error);
+    }
+    PassJob job = {a.scene, a.out, a.bits, a.quiet, &sound, tev};
     bool ok = pass_flags_given(&a.passes) ? render_by_passes(&job, &a.passes, scene, &a.options, &stats, &error)
-                                          : render_once(&a, scene, &sound, &stats, &error);
+                                          : render_once(&a, scene, tev, &sound, &stats, &error);
     scene_free(scene);
+    Error gone = {""};
+    if (tev && !tev_close(tev, &gone))
+        report_error(&gone);
     if (!ok)
         report_error(&error);
     if (!sound && a.code)

@@ -113,9 +113,12 @@ static void show_progress(void *user, const char *phase, double fraction)
 static bool write_out(Talk *talk, Image *image)
 {
     const PassJob *job = talk->job;
-    return file_ends_in(job->out, PASS_FILE_ENDING)
-               ? pass_file_write(job->out, &talk->origin, talk->passes, talk->problem)
-               : write_picture(image, job->out, job->bits, job->sound, talk->problem);
+    bool ok = file_ends_in(job->out, PASS_FILE_ENDING)
+                  ? pass_file_write(job->out, &talk->origin, talk->passes, talk->problem)
+                  : write_picture(image, job->out, job->bits, job->sound, talk->problem);
+    if (job->tev)
+        tev_show_all(job->tev, image);
+    return ok;
 }
 
 // Half of the passes and all of them: how far they are apart tells how far all are from the mean of infinitely many.

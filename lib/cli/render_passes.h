@@ -3,6 +3,7 @@
 #define PHOTONLAB_CLI_RENDER_PASSES_H
 
 #include "cli/cli.h"
+#include "cli/tev.h"
 #include "render/passes/pass_file.h"
 
 typedef struct {
@@ -34,6 +35,7 @@ typedef struct {
     int bits;                // of a PNG
     bool quiet;
     bool *sound; // becomes false when the picture holds what is no number
+    Tev *tev;    // shows it; NULL: nobody does
 } PassJob;
 
 // Renders and writes. False with the reason, which may be that somebody stopped it.

@@ -53,18 +53,36 @@ static void render_pixel(Eye *eye, Image *image, int column, int row)
     *image_at(image, column, row) = colour_scale(sum, 1.0f / (float)settings->samples);
 }
 
-static void render_tile(Eye *eye, Image *image, int tile)
+typedef struct {
+    int left, top, right, bottom; // the last two are beyond it
+} TilePlace;
+
+static TilePlace tile_place(const Image *image, int tile)
 {
     int tiles_across = (image->width + TILE - 1) / TILE;
-    int left = tile % tiles_across * TILE;
-    int top = tile / tiles_across * TILE;
+    int left = tile % tiles_across * TILE, top = tile / tiles_across * TILE;
+    int right = left + TILE, bottom = top + TILE;
+    return (TilePlace){left, top, right < image->width ? right : image->width,
+                       bottom < image->height ? bottom : image->height};
+}
+
+static void render_tile(Eye *eye, Image *image, int tile)
+{
+    TilePlace place = tile_place(image, tile);
     radiance_cache_clear(&eye->caustic_cache);
     radiance_cache_clear(&eye->rest_cache);
     if (eye->own_cache)
         irradiance_cache_clear(eye->own_cache);
-    for (int row = top; row < top + TILE && row < image->height; row++)
-        for (int column = left; column < left + TILE && column < image->width; column++)
+    for (int row = place.top; row < place.bottom; row++)
+        for (int column = place.left; column < place.right; column++)
             render_pixel(eye, image, column, row);
+}
+
+static void give_tile(const RenderOptions *options, const Image *image, int tile)
+{
+    TilePlace p = tile_place(image, tile);
+    if (options->tiles.take)
+        options->tiles.take(options->tiles.user, image, p.left, p.top, p.right - p.left, p.bottom - p.top);
 }
 
 static void eye_free(Eye *eye)
@@ -124,7 +142,10 @@ static void eye_pass(Eye *const eyes[], int threads, Image *image)
     for (int tile = 0; tile < tiles; tile++) {
         render_tile(eyes[parallel_index()], image, tile);
 #pragma omp critical(render_progress)
-        progress_report(&eyes[0]->options->progress, "eye rays", (double)++done / (double)tiles);
+        {
+            give_tile(eyes[0]->options, image, tile);
+            progress_report(&eyes[0]->options->progress, "eye rays", (double)++done / (double)tiles);
+        }
     }
 }
 

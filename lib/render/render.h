@@ -28,6 +28,10 @@ typedef struct {
     float reuse;            // PHOTONS: estimates from the maps are shared within this part of their radius; 0: none is
     const RenderPass *pass; // NULL: a picture by itself
     Progress progress;
+    struct { // is given each rectangle of pixels as soon as it is done, one after the other. NULL: is not called
+        void (*take)(void *user, const Image *image, int x, int y, int width, int height);
+        void *user;
+    } tiles;
     struct { // GATHER: is given the estimates that the picture needs, one after the other. NULL: is not called
         void (*take)(void *user, const IrradianceEstimate *estimate);
         void *user;

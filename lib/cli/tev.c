@@ -1,0 +1,169 @@
+// Each packet is its own length, its type, and what the type says (tev's Ipc.h); numbers are little-endian, texts end with a 0 byte.
+#include "cli/tev.h"
+#include "base/file.h"
+
+#include <errno.h>
+#include <netdb.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+enum { PACKET_CREATE = 4, PACKET_UPDATE = 6 }; // the latter in its third version: channels may lie between each other
+#define CHANNELS     3
+#define MOST_SECONDS 10
+#define ROWS_AT_ONCE 64 // of a whole picture
+
+struct Tev {
+    int socket; // −1: the viewer has gone
+    int problem;
+    char address[256], name[1024];
+};
+
+static int connect_to(const char *host, const char *port, int *problem)
+{
+    struct addrinfo hints = {.ai_socktype = SOCK_STREAM}, *found = NULL;
+    int socket_of = -1;
+    *problem = 0;
+    if (getaddrinfo(host, port, &hints, &found) != 0)
+        return -1;
+    for (struct addrinfo *at = found; at && socket_of < 0; at = at->ai_next) {
+        struct timeval most = {.tv_sec = MOST_SECONDS};
+        socket_of = socket(at->ai_family, at->ai_socktype, at->ai_protocol);
+        setsockopt(socket_of, SOL_SOCKET, SO_SNDTIMEO, &most, sizeof most); // connecting, too
+#ifdef SO_NOSIGPIPE                                                         // where MSG_NOSIGNAL is unknown
+        setsockopt(socket_of, SOL_SOCKET, SO_NOSIGPIPE, &(int){1}, sizeof(int));
+#endif
+        if (socket_of < 0 || connect(socket_of, at->ai_addr, at->ai_addrlen) == 0)
+            continue;
+        *problem = errno;
+        close(socket_of);
+        socket_of = -1;
+    }
+    freeaddrinfo(found);
+    return socket_of;
+}
+
+static void send_all(Tev *tev, const unsigned char *bytes, size_t size)
+{
+#ifdef MSG_NOSIGNAL
+    int flags = MSG_NOSIGNAL;
+#else
+    int flags = 0;
+#endif
+    while (size > 0) {
+        ssize_t sent = send(tev->socket, bytes, size, flags);
+        if (sent < 0 && errno == EINTR)
+            continue;
+        if (sent <= 0) {
+            tev->problem = errno;
+            close(tev->socket);
+            tev->socket = -1;
+            return;
+        }
+        bytes += sent;
+        size -= (size_t)sent;
+    }
+}
+
+static unsigned char *put_text(unsigned char *at, const char *text)
+{
+    size_t size = strlen(text) + 1;
+    memcpy(at, text, size);
+    return at + size;
+}
+
+static unsigned char *put_long(unsigned char *at, uint32_t value)
+{
+    return file_put_int(file_put_int(at, value), 0);
+}
+
+// Room for a packet with so many bytes behind its head; the length at its beginning is filled in by `finish`.
+static unsigned char *begin(const Tev *tev, unsigned char type, size_t more, unsigned char **at)
+{
+    unsigned char *packet = malloc(200 + sizeof tev->name + more);
+    if (!packet)
+        return NULL; // this piece is left out
+    packet[4] = type;
+    packet[5] = 0; // does not ask to be looked at
+    *at = put_text(packet + 6, tev->name);
+    return packet;
+}
+
+static unsigned char *put_channels(unsigned char *at)
+{
+    at = file_put_int(at, CHANNELS);
+    return put_text(put_text(put_text(at, "R"), "G"), "B");
+}
+
+static void finish(Tev *tev, unsigned char *packet, const unsigned char *end)
+{
+    file_put_int(packet, (uint32_t)(end - packet));
+    send_all(tev, packet, (size_t)(end - packet));
+    free(packet);
+}
+
+Tev *tev_open(const char *address, const char *name, int width, int height, Error *error)
+{
+    Tev *tev = calloc(1, sizeof *tev);
+    unsigned char *at, *packet = NULL;
+    if (tev) {
+        snprintf(tev->address, sizeof tev->address, "%s", address);
+        snprintf(tev->name, sizeof tev->name, "%s", name);
+        char host[256], *colon = strrchr(strcpy(host, tev->address), ':');
+        if (colon)
+            *colon = '\0';
+        tev->socket = connect_to(host, colon ? colon + 1 : TEV_PORT, &tev->problem);
+        packet = tev->socket >= 0 ? begin(tev, PACKET_CREATE, 0, &at) : NULL;
+    }
+    if (!packet) {
+        error_set(error, "tev at %s: %s; expected HOST or HOST:PORT where tev runs (it listens on " TEV_PORT ")",
+                  address, tev && tev->problem ? strerror(tev->problem) : "no such host, or no memory");
+        free(tev);
+        return NULL;
+    }
+    at = file_put_int(file_put_int(at, (uint32_t)width), (uint32_t)height);
+    finish(tev, packet, put_channels(at));
+    return tev;
+}
+
+void tev_show(Tev *tev, const Image *image, int x, int y, int width, int height)
+{
+    unsigned char *at, *packet = NULL;
+    if (tev->socket >= 0)
+        packet = begin(tev, PACKET_UPDATE, sizeof(Colour) * (size_t)width * (size_t)height, &at);
+    if (!packet)
+        return;
+    at = put_channels(at);
+    const int rectangle[4] = {x, y, width, height};
+    for (int i = 0; i < 4; i++)
+        at = file_put_int(at, (uint32_t)rectangle[i]);
+    for (uint32_t i = 0; i < CHANNELS; i++)
+        at = put_long(at, i); // where its first value is, …
+    for (int i = 0; i < CHANNELS; i++)
+        at = put_long(at, CHANNELS); // … and how far the next
+    for (int row = y; row < y + height; row++)
+        for (int column = x; column < x + width; column++)
+            for (int c = 0; c < CHANNELS; c++)
+                at = file_put_float(at, colour_channel(*image_at(image, column, row), c));
+    finish(tev, packet, at);
+}
+
+void tev_show_all(Tev *tev, const Image *image)
+{
+    for (int row = 0; row < image->height; row += ROWS_AT_ONCE) {
+        int left = image->height - row;
+        tev_show(tev, image, 0, row, image->width, left < ROWS_AT_ONCE ? left : ROWS_AT_ONCE);
+    }
+}
+
+bool tev_close(Tev *tev, Error *error)
+{
+    bool stayed = tev->socket >= 0 || error_set(error, "tev at %s: %s: the rest of the picture was not shown there",
+                                                tev->address, strerror(tev->problem));
+    if (tev->socket >= 0)
+        close(tev->socket);
+    free(tev);
+    return stayed;
+}
