@@ -1,9 +1,7 @@
 // From the first sign that a run failed to the sentence for the student.
 #include "preview/run/run_internal.h"
-#include "base/crash_words.h"
-#include "base/file.h"
+#include "preview/record/fault.h"
 #include "base/parallel.h"
-#include "base/text.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -13,16 +11,6 @@
 
 #define MOST_PLACES     16
 #define LONGEST_LOOK_UP 1.0 // s
-
-// "…/1.3_scatter_diffuse.so" becomes "1.3_scatter_diffuse.c".
-static void source_of(const char *object, char *file, size_t size)
-{
-    const char *slash = strrchr(object, '/');
-    const char *name = slash ? slash + 1 : object;
-    size_t length = strlen(name);
-    length -= length > 3 && strcmp(name + length - 3, ".so") == 0 ? 3 : 0;
-    snprintf(file, size, "%.*s.c", (int)(length < 200 ? length : 200), name);
-}
 
 // A place in a header is the library's, built into the step.
 static void read_answer(const char *text, SourcePlace *place)
@@ -34,30 +22,6 @@ static void read_answer(const char *text, SourcePlace *place)
             *place = places[i];
 }
 
-static void put_place(const SourcePlace *place, const char *what, char *text, size_t size)
-{
-    char line[32] = "";
-    if (place->line > 0)
-        snprintf(line, sizeof line, ":%d", place->line);
-    if (!place->file[0])
-        snprintf(text, size, "%s", what);
-    else if (place->function[0])
-        snprintf(text, size, "%s%s: %s: %s", place->file, line, place->function, what);
-    else
-        snprintf(text, size, "%s%s: %s", place->file, line, what);
-}
-
-static void describe_loop(const Run *run, char *what, size_t size)
-{
-    RunKind kind = run->request.kind;
-    snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", run->patience,
-             kind == RUN_PHOTONS     ? "photon"
-             : kind == RUN_LOBE      ? "direction"
-             : kind == RUN_ESTIMATES ? "batch of estimates"
-             : kind == RUN_DISKS     ? "pass"
-                                     : "part of the picture");
-}
-
 // Filling much memory takes time: patience may end before the memory does. A picture has photons of its own.
 static bool is_out_of_memory(const Run *run)
 {
@@ -67,24 +31,34 @@ static bool is_out_of_memory(const Run *run)
     return crash->refused || growing || (run->request.kind != RUN_RENDER && crash->grown_kb > most / 8 * 7);
 }
 
-static void describe_crash(const Run *run, char *what, size_t size)
+// What the dying process wrote down.
+static Fault fault_of(const Run *run)
 {
     const WireCrash *crash = &run->crash;
+    Fault fault = {.kind = FAULT_SIGNAL,
+                   .signal = crash->signal,
+                   .address = crash->address,
+                   .calls_itself = crash->calls_itself,
+                   .run = run->request.kind,
+                   .patience = run->patience};
     if (crash->signal == 0)
-        snprintf(what, size, "called exit, which ends the whole program");
+        fault.kind = FAULT_EXIT;
     else if (crash->stack_far)
-        crash_describe_stack(NULL, crash->calls_itself ? "it" : NULL, what, size);
-    else if (is_out_of_memory(run) && run->stuck && !crash->refused)
-        snprintf(what, size, "asked for ever more memory: %.1f GB when it was stopped",
-                 (double)crash->grown_kb / (1024.0 * 1024.0));
+        fault.kind = FAULT_STACK;
     else if (is_out_of_memory(run))
-        snprintf(what, size, "asked for more than %d GB of memory", WORKER_MEMORY_GB);
+        fault.kind = FAULT_MEMORY;
     else if (run->stuck)
-        describe_loop(run, what, size);
+        fault.kind = FAULT_LOOP;
     else if (crash->signal == SIGABRT)
-        snprintf(what, size, "abort() was called (an assertion, or memory freed twice? The terminal may tell)");
-    else
-        crash_describe_signal(crash->signal, crash->address, "", what, size);
+        fault.kind = FAULT_ABORT;
+    if (run->stuck && !crash->refused)
+        fault.memory_gb = (double)crash->grown_kb / (1024.0 * 1024.0);
+    if (!crash->object[0])
+        return fault;
+    fault_source_name(crash->object, fault.place.file, sizeof fault.place.file);
+    snprintf(fault.place.function, sizeof fault.place.function, "%s", crash->symbol);
+    read_answer(run->found, &fault.place);
+    return fault;
 }
 
 static void describe_end(const Run *run, char *text, size_t size)
@@ -93,7 +67,8 @@ static void describe_end(const Run *run, char *text, size_t size)
     if (run->stuck && run->still)
         snprintf(text, size, "a process of the run stands still and does not answer: was it stopped (kill -STOP)?");
     else if (run->stuck)
-        describe_loop(run, text, size);
+        fault_describe_what(&(Fault){.kind = FAULT_LOOP, .run = run->request.kind, .patience = run->patience}, text,
+                            size);
     else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
         snprintf(text, size,
                  "the run was ended from outside (signal 9): by hand, or by the system for want of memory?");
@@ -103,33 +78,6 @@ static void describe_end(const Run *run, char *text, size_t size)
         snprintf(text, size, "no process could be started: too many, or no memory left");
     else
         snprintf(text, size, "a step ended the program (exit code %d) before the run was done", WEXITSTATUS(status));
-}
-
-// The last line of the file that has this word: what is used is declared before. 0: none.
-static int find_line(const char *folder, const StepInfo *step, const char *word)
-{
-    char path[4608];
-    size_t size;
-    snprintf(path, sizeof path, "%s/%s.c", folder, step->file);
-    char *text = file_read(path, 1u << 20, &size, NULL);
-    const char *last = NULL;
-    for (const char *at = text; at && (at = text_find_word(at, word)); at++)
-        last = at;
-    int line = last ? text_line_of(text, last) : 0;
-    free(text);
-    return line;
-}
-
-static void describe_missing(const Run *run, const StepInfo *step, const char *symbol, char *text, size_t size)
-{
-    SourcePlace place = {"", "", 0};
-    char name[128], what[256];
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(symbol, " \n'(,;"), symbol);
-    source_of(step->file, place.file, sizeof place.file);
-    snprintf(place.function, sizeof place.function, "%s", step->symbol);
-    place.line = find_line(run->broker->code_source, step, name);
-    snprintf(what, sizeof what, "calls `%s`, and there is no such function", name);
-    put_place(&place, what, text, size);
 }
 
 // What steps_load says of objects, said of sources, which is what students know.
@@ -142,14 +90,14 @@ static void describe_words(const Run *run, char *text, size_t size)
     const char *missing = strstr(words, "undefined symbol: "), *no_name = strstr(words, ": no step has this name");
     char file[256], object[1024];
     if (step && missing) {
-        describe_missing(run, step, missing + strlen("undefined symbol: "), text, size);
+        fault_describe_missing(run->broker->code_source, step, missing + strlen("undefined symbol: "), text, size);
     } else if (step && strstr(words, " has no function `")) {
-        source_of(step->file, file, sizeof file);
+        fault_source_name(step->file, file, sizeof file);
         snprintf(text, size, "%s: there is no function `%s` in it; see the prototype in lib/steps/", file,
                  step->symbol);
     } else if (no_name) {
         snprintf(object, sizeof object, "%.*s", (int)(no_name - words), words);
-        source_of(object, file, sizeof file);
+        fault_source_name(object, file, sizeof file);
         snprintf(text, size, "%s%s", file, no_name);
     } else {
         snprintf(text, size, "%.500s", words);
@@ -166,20 +114,8 @@ static void describe_failure(const Run *run, char *text, size_t size)
         describe_end(run, text, size);
         return;
     }
-    SourcePlace place = {"", "", 0};
-    char what[256];
-    if (run->crash.object[0]) {
-        source_of(run->crash.object, place.file, sizeof place.file);
-        snprintf(place.function, sizeof place.function, "%s", run->crash.symbol);
-        read_answer(run->found, &place);
-    }
-    describe_crash(run, what, sizeof what);
-    put_place(&place, what, text, size);
-    if (!place.file[0])
-        snprintf(text, size,
-                 "%s, while none of your steps ran: did one write where it must not, or make photons "
-                 "without end?",
-                 what);
+    Fault fault = fault_of(run);
+    fault_describe(&fault, text, size);
 }
 
 static bool look_up(Run *run)

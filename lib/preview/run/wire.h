@@ -64,6 +64,4 @@ typedef struct {
     char object[1024], symbol[128];
 } WireCrash;
 
-#define WORKER_MEMORY_GB 1
-
 #endif

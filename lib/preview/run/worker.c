@@ -1,5 +1,6 @@
 #define _GNU_SOURCE // RLIMIT_…, prctl
 #include "preview/run/worker.h"
+#include "preview/record/fault.h"
 #include "base/parallel.h"
 #include "base/crash_report.h"
 #include "base/process.h"
