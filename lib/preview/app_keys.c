@@ -137,7 +137,7 @@ static void next_step(App *app)
 
 static void hint(App *app)
 {
-    session_hint(&app->session);
+    coach_hint(&app->session.coach);
 }
 
 static void quit(App *app)

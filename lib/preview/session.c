@@ -24,7 +24,7 @@ bool session_start(Session *session, const Scene *scene, const PreviewOptions *o
     if (options->source && options->build &&
         !(session->watch = watch_start(options->source, options->code, options->build, error)))
         return false;
-    if (session->watch && options->judge && !(session->judging = judging_start(options->judge)))
+    if (!coach_start(&session->coach, session->watch ? options->judge : NULL, options->stage))
         return error_set(error, "not enough memory for the preview");
     if (!options->given[YOURS])
         session_ask_photons(session);
@@ -41,7 +41,7 @@ void session_end(Session *session)
         view_data_free(session->data[i]);
     broker_stop(session->own_broker);
     scene_free(session->own_scene);
-    judging_stop(session->judging);
+    coach_stop(&session->coach);
     watch_stop(session->watch);
 }
 
@@ -80,7 +80,7 @@ static bool poll_watch(Session *session)
     if (event == WATCH_FAILED) {
         session->fault[0] = '\0'; // the same mistake after another save is told again
         fault(session, session->build);
-        session_note_broken(session, watch_step(session->watch), session->build);
+        coach_note_broken(&session->coach, watch_step(session->watch), session->build);
         return true;
     }
     puts(session->build);
@@ -88,8 +88,8 @@ static bool poll_watch(Session *session)
     if (session->warning[0])
         puts(session->warning);
     rebuilt(session);
-    session_judge(session, watch_step(session->watch));
-    return session->judging; // its photons are soon there
+    coach_judge(&session->coach, watch_step(session->watch));
+    return session->coach.judging; // its photons are soon there
 }
 
 // A student saves, and nothing changes: another step does that work.
@@ -113,7 +113,7 @@ static void take_photons(Session *session, const RunStatus *status)
     snprintf(session->notice, sizeof session->notice, "%s", status->notice);
     const Recording *recording = view_data_recording(session->data[YOURS]);
     tell_if_not_played(session, recording);
-    session_note_states(session, recording);
+    coach_note_states(&session->coach, recording->states);
     // What another step's last build said is still true.
     snprintf(session->fault, sizeof session->fault, "%s", session->watch ? watch_broken(session->watch) : "");
     printf("%zu photons stored of %ld emitted, %.2f s after the %s\n", recording->count, recording->emitted,
@@ -180,7 +180,7 @@ bool session_poll(Session *session)
     bool news = look_at_helper(session);
     news |= poll_watch(session);
     news |= session_look_at_scene(session);
-    news |= session_poll_judge(session);
+    news |= coach_poll(&session->coach);
     for (int i = 0; i < PLAYERS; i++)
         for (int kind = 0; kind < RUN_KINDS; kind++)
             news |= poll_run(session, (RunKind)kind, i);

@@ -4,7 +4,7 @@
 #define PHOTONLAB_PREVIEW_SESSION_H
 
 #include "preview/preview.h"
-#include "preview/watch/judging.h"
+#include "preview/watch/coach.h"
 #include "preview/watch/watch.h"
 
 // Whose code a run plays; and whose data can be shown. COMING: the student's photons that are there already, of a run
@@ -17,11 +17,8 @@ typedef struct {
     const View *view; // what is looked at, and so what is needed
     Canvas *canvas;
     Broker *broker;
-    Watch *watch;     // NULL: nothing is watched
-    Judging *judging; // NULL: nobody judges
-    Verdicts verdicts;
-    bool stated;                   // which steps are started is known
-    int hints[STEP_COUNT];         // given
+    Watch *watch; // NULL: nothing is watched
+    Coach coach;
     Run *runs[RUN_KINDS][PLAYERS]; // under way; a picture's stays when it has all of its passes
     bool have[RUN_KINDS][PLAYERS]; // what the data hold is of the present settings
     ViewData *data[DATA_COUNT];
@@ -108,16 +105,8 @@ void session_next_way(Session *session);
 // The student's data as they are to be shown now.
 ViewData *session_yours(const Session *session);
 
-// Which steps are started; and those that nobody has judged yet are to be.
-void session_note_states(Session *session, const Recording *recording);
-// It was saved: it is the present step now, and judged. Or it does not compile.
-void session_judge(Session *session, const StepInfo *step);
-void session_note_broken(Session *session, const StepInfo *step, const char *message);
-bool session_poll_judge(Session *session); // true: there is a verdict
-
-// On to the next step that is not right. A hint for the present one; each call tells more.
+// On to the next step that is not right.
 void session_next_step(Session *session);
-void session_hint(Session *session);
 
 // Draws this view, of both if it is split, with the words that the session has for it. `help`: the list of keys, or NULL.
 void session_draw(const Session *session, const View *view, const char *help);

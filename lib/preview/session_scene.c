@@ -104,3 +104,15 @@ bool session_look_at_scene(Session *session)
     // What cannot be read is tried again: a mesh that it names may come.
     return (changed || session->scene_fault[0]) && take_scene(session);
 }
+
+void session_next_step(Session *session)
+{
+    const StepInfo *step = coach_next(&session->coach);
+    if (!step)
+        return;
+    if (session->stage > 0 && step->stage != session->stage) { // each has a scene in which its steps show
+        session->stage = step->stage;
+        session_load_scene(session, stage_scenes[step->stage - 1]);
+    }
+    printf("the present step: %s/%s.c\n", session->options->source, step->file);
+}

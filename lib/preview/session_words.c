@@ -51,7 +51,7 @@ static void list_status(const Session *session, char *text, size_t size)
                     recording->bounces);
     if (session->timed && recording->emitted > 0)
         text_append(text, size, ", %.2f s", recording->seconds);
-    if (session->judging) { // the panel has the rest
+    if (session->coach.judging) { // the panel has the rest
         list_steps(recording, true, false, " | built, not played: ", text, size);
     } else if (session->options->code) {
         if (!list_steps(recording, true, true, " | your code: ", text, size))
@@ -100,7 +100,7 @@ void session_draw(const Session *session, const View *view, const char *help)
                          .banner = banner,
                          .banner_is_old = session->building,
                          .rendered = rendered,
-                         .verdicts = session->judging ? &session->verdicts : NULL,
+                         .verdicts = session->coach.judging ? &session->coach.verdicts : NULL,
                          .source = session->options->source};
     captions.status = session->options->given[YOURS] ? NULL : status;
     for (int i = 0; i < PLAYERS; i++)

@@ -1,0 +1,104 @@
+#include "preview/watch/coach.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool coach_start(Coach *coach, const char *command, int stage)
+{
+    *coach = (Coach){.stage = stage};
+    return !command || (coach->judging = judging_start(command));
+}
+
+void coach_stop(Coach *coach)
+{
+    judging_stop(coach->judging);
+}
+
+// Of the stage that was asked for, the first step that is not started; otherwise of all, or the first.
+static size_t first_open(const Coach *coach, const StepState states[STEP_COUNT])
+{
+    size_t first = STEP_COUNT;
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        bool open = states[i] != STEP_STUDENT;
+        bool of_stage = coach->stage == 0 || step_table[i].stage == coach->stage;
+        if (open && of_stage)
+            return i;
+        first = first == STEP_COUNT && of_stage ? i : first;
+    }
+    return first < STEP_COUNT ? first : 0;
+}
+
+void coach_note_states(Coach *coach, const StepState states[STEP_COUNT])
+{
+    Verdicts *verdicts = &coach->verdicts;
+    if (!coach->judging)
+        return;
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        Verdict *verdict = &verdicts->steps[i];
+        if (states[i] != STEP_STUDENT && verdict->state != VERDICT_ERROR)
+            *verdict = (Verdict){.state = VERDICT_TODO};
+        else if (verdict->state == VERDICT_NONE && !verdict->judged_now)
+            judging_want(coach->judging, verdicts, i, false);
+    }
+    if (!coach->stated)
+        verdicts->present = first_open(coach, states);
+    coach->stated = true;
+}
+
+static void choose_step(Coach *coach, size_t step)
+{
+    coach->verdicts.present = step;
+    coach->verdicts.hint[0] = '\0';
+}
+
+void coach_judge(Coach *coach, const StepInfo *step)
+{
+    if (!coach->judging || !coach->stated) // all that are started will be
+        return;
+    choose_step(coach, (size_t)(step - step_table));
+    judging_want(coach->judging, &coach->verdicts, (size_t)(step - step_table), true);
+}
+
+void coach_note_broken(Coach *coach, const StepInfo *step, const char *message)
+{
+    Verdict *verdict = &coach->verdicts.steps[step - step_table];
+    if (!coach->judging || strncmp(message, step->id, strlen(step->id)) != 0) // of a file that is no step's
+        return;
+    choose_step(coach, (size_t)(step - step_table));
+    *verdict = (Verdict){.state = VERDICT_ERROR};
+    snprintf(verdict->message, sizeof verdict->message, "does not compile: %s", message);
+}
+
+bool coach_poll(Coach *coach)
+{
+    const StepInfo *step = coach->judging ? judging_poll(coach->judging, &coach->verdicts) : NULL;
+    if (!step)
+        return false;
+    const Verdict *verdict = &coach->verdicts.steps[step - step_table];
+    printf("judged: %s %s %s\n", step->id, verdict_marks[verdict->state],
+           verdict->message[0] ? verdict->message : step->title);
+    return true;
+}
+
+const StepInfo *coach_next(Coach *coach)
+{
+    if (!coach->judging)
+        return NULL;
+    choose_step(coach, verdicts_next(&coach->verdicts));
+    return &step_table[coach->verdicts.present];
+}
+
+void coach_hint(Coach *coach)
+{
+    Verdicts *verdicts = &coach->verdicts;
+    int *given = &coach->hints[verdicts->present];
+    Error error = {""};
+    if (!coach->judging)
+        return;
+    *given = *given < HINT_COUNT ? *given + 1 : 1;
+    char *hint = step_hint(&step_table[verdicts->present], *given, &error);
+    snprintf(verdicts->hint, sizeof verdicts->hint, "hint %d of %d: %.1100s", *given, HINT_COUNT,
+             hint ? hint : error.message);
+    free(hint);
+}
