@@ -140,7 +140,7 @@ scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
 # `make check` sanitizes neither the preview nor its tests: they start compilers and draw by software, for long.
 SANITIZED = $(MAKE) BUILD=$(BUILD)/sanitized$(if $(CHECK),/few HAVE_PREVIEW=) OPTIMISE=-O1 EXTRA="-g1 -fsanitize=address,undefined -fno-sanitize-recover=undefined"
 
-include lib/preview/preview.mk web/web.mk tests/judge/judge.mk tests/steps/exercises.mk
+include lib/preview/preview.mk web/web.mk tests/judge/judge.mk tests/steps/exercises.mk web/serve/serve.mk
 -include course_notes/notes.mk tests/class/class.mk tests/tests.mk
 
 # ---- what there is to do ----

@@ -6,12 +6,14 @@ set -eu
 packages="gcc make pkg-config libpng-dev libyaml-dev binutils libgsl-dev libjansson-dev libseccomp-dev bubblewrap gdb
  libglfw3-dev libstb-dev fonts-dejavu-core libegl1 libgl1-mesa-dri pandoc"
 [ ! -f tests/class/teacher.mk ] || packages="$packages libarchive-dev parallel zip unzip"
+# make setup WEB=1: one's photons in a browser.
+[ "${WEB:-0}" = 0 ] || packages="$packages clang lld llvm wasi-libc libclang-rt-dev-wasm32 libmicrohttpd-dev"
 for target in "$@"; do
     case $target in
     bench) packages="$packages g++ libnanoflann-dev python3-pip unzip povray xz-utils" ;;
-    wasm | site | *-wasm | *-site)
-        packages="$packages clang lld wasi-libc libclang-rt-dev-wasm32 nodejs pandoc webp"
-        case $target in *-site) packages="$packages npm chromium firefox-esr xvfb xauth" ;; esac
+    wasm | site | *-wasm | *-site | *-tab)
+        packages="$packages clang lld llvm wasi-libc libclang-rt-dev-wasm32 libmicrohttpd-dev nodejs pandoc webp"
+        case $target in *-site | *-tab) packages="$packages npm chromium firefox-esr xvfb xauth" ;; esac
         ;;
     class-alike | check-alike) packages="$packages python3-venv" ;;
     check-export) packages="$packages python3 python3-venv libopenexr-dev" ;;

@@ -11,6 +11,18 @@ const FLIGHT = 6 // s that slow light takes
 // What the page brings along.
 const scenes = Object.fromEntries([...document.querySelectorAll('script[type="text/yaml"]')].map(script => [script.dataset.name, script.textContent]))
 
+// What a page of its own around the lab does otherwise (serve/tab.js).
+const home = {
+    scene: 'box_glass.yaml',
+    banner: text => text, // what stands in it: the lab's own words, and perhaps more
+    compiled: () => Photonlab.compile(),
+    workers: async compiled => new PhotonlabWorkers(compiled),
+    failed: error => fault(error.message), // a run
+    done: () => {}, // all photons are there: the messages that they came in
+    started: () => {},
+    ...globalThis.photonlabHome,
+}
+
 const state = {
     lab: null, workers: null,
     scene: null, // {yaml, name, files}: that photons are of
@@ -22,8 +34,9 @@ const state = {
 }
 
 function fault(text) {
-    $('fault').textContent = text || ''
-    $('fault').hidden = !text
+    state.fault = text || ''
+    $('fault').textContent = home.banner(state.fault)
+    $('fault').hidden = !$('fault').textContent
 }
 
 function say(text) {
@@ -106,7 +119,8 @@ async function tracePhotons() {
     lab.begin('photons')
     state.shown = state.seconds = 0
     state.said = ''
-    const receive = message => {
+    const messages = [], receive = message => {
+        messages.push(message)
         lab.receive(message)
         const {photons} = lab.collected()
         if (photons < 1.5 * state.shown + 100) return
@@ -120,9 +134,10 @@ async function tracePhotons() {
         state.seconds = (performance.now() - began) / 1000
         lab.show()
         fault(lab.oddities())
+        home.done(messages)
         wantPicture()
     } catch (error) {
-        fault(error.message)
+        home.failed(error, 'photons')
     }
 }
 
@@ -134,7 +149,7 @@ async function findForView() {
     try {
         if (await workers.run(kind, state.scene, lab.all(), 1, message => lab.receive(message))) wantPicture()
     } catch (error) {
-        fault(error.message)
+        home.failed(error, kind)
     }
 }
 
@@ -163,7 +178,7 @@ async function startRender() {
     try {
         await workers.run('render', state.scene, lab.all(), lab.get('radii') === 'alike' ? PASSES : 1, receive)
     } catch (error) {
-        if (state.rendering) fault(error.message)
+        if (state.rendering) home.failed(error, 'render')
     }
 }
 
@@ -226,8 +241,8 @@ function chooseScene(name, yaml = scenes[name], parameters = {photons: 200000}) 
 
 async function start() {
     try {
-        const compiled = await Photonlab.compile()
-        state.workers = new PhotonlabWorkers(compiled) // they open while WebGL does
+        const compiled = await home.compiled()
+        state.workers = await home.workers(compiled) // they open while WebGL does
         fitCanvas() // another size would cost WebGL a tenth of a second
         state.lab = await Photonlab.open(compiled, $('picture'))
         const meshes = [...document.querySelectorAll('script[type="text/mesh"]')]
@@ -237,7 +252,8 @@ async function start() {
         const shared = await stateOf(location.hash.slice(1))
         listen()
         if (shared && scenes[shared.scene] !== undefined) chooseScene(shared.scene, shared.yaml, shared.parameters)
-        else chooseScene('box_glass.yaml')
+        else chooseScene(home.scene)
+        home.started()
     } catch (error) {
         fault(`The lab does not run here: ${error.message}`)
         throw error

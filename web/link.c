@@ -12,6 +12,17 @@ bool steps_load(const char *student_dir, Error *error)
     return true;
 }
 
+// The ids of the steps that a student's objects were linked for, parted by blanks.
+void EXPORT(web_students)(const char *ids)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        step_states[i] = step_is_listed(ids, step_table[i].id) ? STEP_STUDENT : STEP_REFERENCE;
+}
+
+#define FROM_PAGE(function)                                                                                            \
+    extern __typeof__(gl##function) gl##function __attribute__((import_module("env"), import_name("gl" #function)));
+GL_FUNCTIONS(FROM_PAGE)
+
 void *web_gl(const char *name)
 {
 #define ROW(function) {"gl" #function, (void (*)(void))gl##function},

@@ -15,6 +15,12 @@ const char *EXPORT(web_error)(void)
     return page.error.message;
 }
 
+// For what JavaScript gives; to be freed.
+void *EXPORT(web_allocate)(size_t size)
+{
+    return malloc(size);
+}
+
 // The scene in place of the one before; true when it is sound, otherwise web_error says at which line and column it is
 // not, and the one before stays. With `keep_view` the camera and all settings stay.
 bool EXPORT(web_scene)(const char *text, size_t size, const char *name, bool keep_view)

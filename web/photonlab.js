@@ -17,7 +17,10 @@ class Photonlab {
         }
         drawing.photonlab_send = (...message) => lab.sent(...message)
         drawing.photonlab_beat = fraction => lab.beat(fraction)
-        const imports = {env: {}, wasi_snapshot_preview1: photonlabWasi(memory)}
+        drawing.photonlab_stop = why => {
+            throw Object.assign(new Error('stopped'), {why: ['loop', 'memory'][why]})
+        }
+        const imports = {env: {}, wasi_snapshot_preview1: photonlabWasi(memory, text => lab.print(text))}
         for (const {module, name} of WebAssembly.Module.imports(compiled))
             if (module === 'env') imports.env[name] = drawing[name] || missing(name)
             else imports[module][name] ||= () => 52 // ENOSYS
@@ -48,7 +51,7 @@ class Photonlab {
     // A copy of the bytes, or the text, in the module's memory, with a 0 behind it; to be freed, or given away.
     put(content) {
         const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : new Uint8Array(content)
-        const at = this.exports.malloc(bytes.length + 1)
+        const at = this.exports.web_allocate(bytes.length + 1)
         if (!at) throw new Error('not enough memory')
         this.bytes().set(bytes, at)
         this.bytes()[at + bytes.length] = 0
@@ -168,6 +171,11 @@ class Photonlab {
     // Some part of a run is done, 0…1.
     beat() {}
 
+    // What the module's code writes to the terminal.
+    print(text) {
+        console.log(text)
+    }
+
     // {photons, legs, emitted, segments, passes}: how many there are by now.
     collected() {
         const numbers = new Float64Array(this.exports.memory.buffer, this.call('web_collected'), COLLECTED.length)
@@ -230,7 +238,7 @@ class Photonlab {
 }
 
 // What the C library asks of a system: the time, and where words to the terminal go.
-function photonlabWasi(memory) {
+function photonlabWasi(memory, print) {
     const view = () => new DataView(memory().buffer)
     return {
         clock_time_get: (clock, precision, at) => {
@@ -241,7 +249,7 @@ function photonlabWasi(memory) {
             let written = 0
             for (let i = 0; i < count; i++) {
                 const at = view().getUint32(pieces + 8 * i, true), size = view().getUint32(pieces + 8 * i + 4, true)
-                console.log(new TextDecoder().decode(new Uint8Array(memory().buffer.slice(at, at + size))))
+                print(new TextDecoder().decode(new Uint8Array(memory().buffer.slice(at, at + size))))
                 written += size
             }
             view().setUint32(writtenAt, written, true)
@@ -254,10 +262,14 @@ function photonlabWasi(memory) {
         },
         environ_get: () => 0,
         proc_exit: code => {
-            throw new Error(`exit(${code}) was called`)
+            throw Object.assign(new Error(`exit(${code}) was called`), {why: 'exit'})
         },
         fd_close: () => 0,
         fd_seek: () => 8, // EBADF
-        fd_fdstat_get: () => 8,
+        fd_fdstat_get: (file, at) => { // a terminal, so that each line comes when it is written
+            new Uint8Array(memory().buffer, at, 24).fill(0)
+            view().setUint8(at, 2)
+            return 0
+        },
     }
 }

@@ -4,9 +4,9 @@
 
 #include "base/parallel.h"
 
-#define BEAT 0.05 // s between signs of life
+#define BEAT     0.05 // s between signs of life
+#define PATIENCE 1.8  // s without one, of code that is watched; five times as much where pictures are made
 
-#define IMPORT(name) __attribute__((import_module("env"), import_name(#name))) name
 void IMPORT(photonlab_send)(int run, int kind, const void *first, size_t first_size, const void *rest,
                             size_t rest_size);
 void IMPORT(photonlab_beat)(double fraction);
@@ -14,6 +14,12 @@ void IMPORT(photonlab_beat)(double fraction);
 static RunKind kind_now;
 static long caps_before;
 static double last_beat;
+
+static void note_life(void)
+{
+    last_beat = clock_seconds();
+    web_alive(kind_now == RUN_PHOTONS || kind_now == RUN_LOBE ? PATIENCE : 5.0 * PATIENCE);
+}
 
 void worker_send_both(WireKind kind, const void *first, size_t first_size, const void *rest, size_t rest_size)
 {
@@ -36,7 +42,7 @@ void worker_beat(double fraction)
     static unsigned calls;
     if (calls++ % 16 != 0 || clock_seconds() - last_beat < BEAT)
         return;
-    last_beat = clock_seconds();
+    note_life();
     photonlab_beat(fraction);
 }
 
@@ -66,5 +72,6 @@ bool EXPORT(web_run)(int kind, int part, int parts)
     scene.settings.radius = page.radius;
     Worker worker = {.scene = &scene, .order = &order, .index = part};
     caps_before = redraw_cap_count();
+    note_life();
     return worker_work(&worker, &page.error);
 }

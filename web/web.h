@@ -12,6 +12,9 @@
 // A function for JavaScript. What it gives back as text stays until the next call.
 #define EXPORT(name) __attribute__((export_name(#name))) name
 
+// One that JavaScript gives.
+#define IMPORT(name) __attribute__((import_module("env"), import_name(#name))) name
+
 typedef struct {
     Scene *scene;     // NULL: none yet
     RunRequest asked; // what decides which photons there are; kind, camera and lobe are the view's when it runs
@@ -40,5 +43,8 @@ void web_append_quoted(const char *words);
 
 // The functions that gl.js gives, by name; NULL where it gives none of this name.
 void *web_gl(const char *name);
+
+// A run was heard of just now; it is given so many seconds until it is heard of again. See guard.c.
+void web_alive(double patience);
 
 #endif

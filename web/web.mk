@@ -5,8 +5,7 @@ WASM      = $(BUILD)/web
 # As native code is compiled, with the same roundings; without OpenMP, whose pragmas alone name some parameters. Headers that are no part of WASI's C library (OpenGL, stb, libyaml) are
 # looked for where the system has them, and last.
 WASM_FLAGS = --target=wasm32-wasi $(STANDARD) -Wno-unused-parameter -O3 -msimd128 -fno-stack-protector -Ilib -I. -idirafter /usr/include
-WASM_LINK  = -mexec-model=reactor -Wl,--import-undefined -Wl,--strip-all -Wl,--stack-first -Wl,-z,stack-size=1048576 \
-             -Wl,--export=malloc -Wl,--export=free
+WASM_LINK  = -mexec-model=reactor -Wl,--strip-all -Wl,--stack-first -Wl,-z,stack-size=1048576 -Wl,--export=free
 
 # What needs a system below it stays out: processes, signals, loading of objects, windows.
 WASM_WITHOUT = lib/base/crash_% lib/base/process.c lib/base/file_disk.c lib/image/png.c lib/image/exr.c lib/render/passes/pass_file.c lib/steps/steps_load.c lib/preview/draw/context/%

@@ -6,15 +6,16 @@ const LIMITS = {open: 10000, scene: 10000, run: LIMIT}
 
 class PhotonlabWorkers {
     // The classes above as they stand in the page, in a worker of its own: pages from a disk may not load files.
-    constructor(compiled, count = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 8))) {
+    // `students`: the ids of the steps that are a student's.
+    constructor(compiled, students = '', count = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 8))) {
         const source = [photonlabWasi, Photonlab, photonlabWorker].map(String)
-        source.push(`const COLLECTED = ${JSON.stringify(COLLECTED)}`, 'photonlabWorker()')
+        source.push(`const COLLECTED = ${JSON.stringify(COLLECTED)}, PRINTED = ${PRINTED}, TRAPS = [${TRAPS.map(([pattern, why]) => `[${pattern}, '${why}']`)}]`, 'photonlabWorker()')
         this.url = URL.createObjectURL(new Blob([source.join('\n')], {type: 'text/javascript'}))
-        this.compiled = compiled
+        Object.assign(this, {compiled, students})
         this.workers = Array.from({length: count}, () => null)
         this.ids = 0
         this.runs = {} // by kind: the number of the last one
-        this.workers.forEach((worker, i) => this.start(i).catch(() => {})) // who asks it is told
+        this.startAll()
     }
 
     // `scene`: {yaml, name, files}, the same object while it is the same scene. `settings`: lab.all(). `receive` is called with
@@ -53,12 +54,16 @@ class PhotonlabWorkers {
         })
     }
 
+    startAll() {
+        this.workers.forEach((worker, i) => this.start(i).catch(() => {})) // who asks it is told
+    }
+
     start(i) {
         const worker = new Worker(this.url)
         this.workers[i] = {worker, scene: null, asked: new Map(), clock: 0}
         worker.onmessage = ({data}) => this.workers[i] && this.workers[i].worker === worker && this.hear(i, data)
         worker.onerror = event => this.end(i, event.message || 'the worker failed')
-        return this.send(i, {what: 'open', compiled: this.compiled})
+        return this.send(i, {what: 'open', compiled: this.compiled, students: this.students})
     }
 
     // Worker number i is asked, with this scene loaded; it is started when it does not run. It does one after the other, so
@@ -87,23 +92,38 @@ class PhotonlabWorkers {
     watch(i) {
         const {asked} = this.workers[i], [now] = asked.values()
         clearTimeout(this.workers[i].clock)
-        if (now) this.workers[i].clock = setTimeout(() => this.end(i, `no sign of life for ${now.limit / 1000} s: an endless loop?`), now.limit)
+        if (now) this.workers[i].clock = setTimeout(() => this.end(i, `no sign of life for ${now.limit / 1000} s: an endless loop?`, {why: 'loop', offsets: []}), now.limit)
     }
 
-    hear(i, {id, message, done, fault, stack, trap}) {
+    // What steps print.
+    print(text) {
+        console.log(text)
+    }
+
+    // From now on by another module. Whatever runs is ended.
+    replace(compiled, students) {
+        Object.assign(this, {compiled, students})
+        for (const kind in this.runs) this.runs[kind]++
+        this.workers.forEach((worker, i) => worker && this.end(i, 'replaced'))
+        this.startAll()
+    }
+
+    hear(i, {id, message, print, done, fault, trap}) {
+        if (print !== undefined) return this.print(print)
         const {asked} = this.workers[i], question = asked.get(id)
         if (message) question.receive(message)
         if (done || fault !== undefined) asked.delete(id)
         if (this.workers[i]) this.watch(i)
         if (done) question.resolve()
-        else if (fault !== undefined) question.reject(Object.assign(new Error(fault), {stack, trap}))
+        else if (fault !== undefined) question.reject(Object.assign(new Error(fault), {trap}))
+        if (trap) this.end(i, fault) // its memory may be anything now
     }
 
-    end(i, why) {
+    end(i, why, trap = null) {
         const {worker, asked, clock} = this.workers[i]
         clearTimeout(clock)
         worker.terminate()
         this.workers[i] = null
-        for (const {reject} of asked.values()) reject(new Error(why))
+        for (const {reject} of asked.values()) reject(Object.assign(new Error(why), {trap}))
     }
 }

@@ -12,13 +12,19 @@ PREVIEW_FLAGS    = --code '$(CODE_BUILD)' --watch $(call quoted,$(CODE_SOURCE)) 
 
 .PHONY: preview snapshot
 
-## preview  your photons, new after every save, and the step judged beside: make preview [STAGE=3] [SCENE=scenes/prism.yaml]
-# Where the judge cannot be built, for want of a library say, the window goes without.
+## preview  your photons, new after every save, and the step judged beside: make preview [STAGE=3] [SCENE=scenes/prism.yaml] [WEB=1: in the browser]
+# Where the judge cannot be built, for want of a library say, the window goes without. Without a display, and without OpenGL for pictures, the
+# browser is what is left; WEB=0 asks for the window all the same.
+WEB_OF_ITSELF = if [ -z "$(HAVE_PREVIEW)" ] || { [ -z "$$DISPLAY$$WAYLAND_DISPLAY" ] && [ $(SYSTEM) = Linux ] && \
+    ! $(PROGRAM) preview scenes/box_diffuse.yaml --photons 1 --snapshot '$(BUILD)/no_display.png' >/dev/null 2>&1; }; then \
+    echo "There is no OpenGL here, and no display: your photons come to the browser."; web=1; fi
 preview: all meshes code-built
 	@[ -x $(JUDGE) ] || echo "  building the judge"
-	@if $(MAKE) --no-print-directory judge >$(BUILD)/judge.log 2>&1; then set -- --judge $(PREVIEW_JUDGE); \
-	else echo "the judge does not build here, see $(BUILD)/judge.log: the window judges nothing"; set --; fi; \
-	$(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) $(PREVIEW_FLAGS) "$$@" $(STAGE_FLAGS) $(FLAGS)
+	+@if $(MAKE) --no-print-directory judge >$(BUILD)/judge.log 2>&1; then set -- --judge $(PREVIEW_JUDGE); \
+	else echo "the judge does not build here, see $(BUILD)/judge.log: the preview judges nothing"; set --; fi; \
+	web='$(WEB)'; [ -n "$$web" ] || { $(WEB_OF_ITSELF); }; \
+	if [ "$${web:-0}" != 0 ]; then $(MAKE) --no-print-directory tab-tools && $(MAKE) --no-print-directory tab && exec $(TAB_SERVE) "$$@"; \
+	else $(PROGRAM) preview $(call quoted,$(PREVIEW_SCENE)) $(PREVIEW_FLAGS) "$$@" $(STAGE_FLAGS) $(FLAGS); fi
 
 ## snapshot  the same as a picture, build/preview.png: [FLAGS="--view paths"]
 snapshot: all meshes code-built

@@ -1,0 +1,38 @@
+// What is linked around a student's objects only: it ends a run that hangs or wants too much memory, in the midst of it, so that
+// the stack tells where that was. Compiled with -fsanitize-coverage=trace-pc, their code calls this wherever it goes.
+#include "web/web.h"
+
+#include "base/parallel.h"
+
+#define LOOK_EVERY 65536 // calls
+
+typedef enum { STOP_LOOP, STOP_MEMORY } Stop; // as worker.js has them
+_Noreturn void IMPORT(photonlab_stop)(Stop why);
+
+static double until; // clock_seconds()
+
+void web_alive(double patience)
+{
+    until = clock_seconds() + patience;
+}
+
+void __sanitizer_cov_trace_pc(void)
+{
+    static unsigned calls;
+    if (++calls % LOOK_EVERY == 0 && clock_seconds() > until)
+        photonlab_stop(STOP_LOOP);
+}
+
+// Linked with --wrap: where there is no memory, none of the code goes on with a null pointer, which may be written to here.
+#define WRAP(function, parameters, arguments, wanted)                                                                  \
+    void *__real_##function parameters;                                                                                \
+    void *__wrap_##function parameters                                                                                 \
+    {                                                                                                                  \
+        void *memory = __real_##function arguments;                                                                    \
+        if (!memory && (wanted) > 0)                                                                                   \
+            photonlab_stop(STOP_MEMORY);                                                                               \
+        return memory;                                                                                                 \
+    }
+WRAP(malloc, (size_t size), (size), size)
+WRAP(calloc, (size_t count, size_t size), (count, size), count *size)
+WRAP(realloc, (void *old, size_t size), (old, size), size)
