@@ -6,7 +6,7 @@
 
 #define LOOK_EVERY 65536 // calls
 
-typedef enum { STOP_LOOP, STOP_MEMORY } Stop; // as worker.js has them
+typedef enum { STOP_LOOP, STOP_MEMORY, STOP_NULL, STOP_BOUNDS } Stop; // as photonlab.js has them
 _Noreturn void IMPORT(photonlab_stop)(Stop why);
 
 static double until; // clock_seconds()
@@ -21,6 +21,18 @@ void __sanitizer_cov_trace_pc(void)
     static unsigned calls;
     if (++calls % LOOK_EVERY == 0 && clock_seconds() > until)
         photonlab_stop(STOP_LOOP);
+}
+
+// -fsanitize=null,bounds -fsanitize-minimal-runtime calls these; since the compiler thinks that they may return, it does not put the
+// calls of several lines into one.
+void __ubsan_handle_type_mismatch_minimal(void)
+{
+    photonlab_stop(STOP_NULL);
+}
+
+void __ubsan_handle_out_of_bounds_minimal(void)
+{
+    photonlab_stop(STOP_BOUNDS);
 }
 
 // Linked with --wrap: where there is no memory, none of the code goes on with a null pointer, which may be written to here.

@@ -18,7 +18,7 @@ class Photonlab {
         drawing.photonlab_send = (...message) => lab.sent(...message)
         drawing.photonlab_beat = fraction => lab.beat(fraction)
         drawing.photonlab_stop = why => {
-            throw Object.assign(new Error('stopped'), {why: ['loop', 'memory'][why]})
+            throw Object.assign(new Error('stopped'), {why: ['loop', 'memory', 'null', 'bounds'][why]})
         }
         const imports = {env: {}, wasi_snapshot_preview1: photonlabWasi(memory, text => lab.print(text))}
         for (const {module, name} of WebAssembly.Module.imports(compiled))

@@ -1,7 +1,7 @@
 // What a worker does: runs steps, in an instance of the module of its own, and gives away what they find.
 const PRINTED = 100 // lines of a run that are shown
 // A browser's words for a trap.
-const TRAPS = [[/unreachable/, 'null'], [/divi/, 'divide'], [/out of bounds/, 'bounds']]
+const TRAPS = [[/divi/, 'divide'], [/out of bounds/, 'bounds']]
 
 async function photonlabWorker() {
     let lab = null, id = 0, lines = 0 // that were printed
@@ -29,13 +29,13 @@ async function photonlabWorker() {
     }
     // Why code of steps ended in the midst of it, and all that tells where; null: it has answered.
     const describeTrap = error => {
-        const stackPointer = lab && lab.exports.__stack_pointer
+        const {__stack_pointer: stackPointer, memory} = lab ? lab.exports : {}
         const overflow = error instanceof RangeError || error.name === 'InternalError' || (stackPointer && stackPointer.value < 0)
         if (!overflow && !error.why && !(error instanceof WebAssembly.RuntimeError)) return null
         const offsets = [...String(error.stack).matchAll(/wasm-function\[\d+\]:0x([0-9a-f]+)/g)].map(match => match[1])
         const aborted = /^(.*\n)?\s*(at )?abort\b/.test(error.stack)
         const why = overflow ? 'stack' : error.why || (aborted ? 'abort' : (TRAPS.find(([pattern]) => pattern.test(error.message)) || [0, 'trap'])[1])
-        return {why, offsets}
+        return {why, offsets, megabytes: memory ? memory.buffer.byteLength >> 20 : 0}
     }
     let before = Promise.resolve() // one after the other
     onmessage = ({data}) => {

@@ -92,7 +92,7 @@ class PhotonlabWorkers {
     watch(i) {
         const {asked} = this.workers[i], [now] = asked.values()
         clearTimeout(this.workers[i].clock)
-        if (now) this.workers[i].clock = setTimeout(() => this.end(i, `no sign of life for ${now.limit / 1000} s: an endless loop?`, {why: 'loop', offsets: []}), now.limit)
+        if (now) this.workers[i].clock = setTimeout(() => this.end(i, `no sign of life for ${now.limit / 1000} s: an endless loop?`, {why: 'loop', offsets: [], megabytes: 0}), now.limit)
     }
 
     // What steps print.

@@ -89,7 +89,7 @@ static enum MHD_Result answer_name(Server *server, struct MHD_Connection *connec
         return answer_state(server, connection, question);
     case NAME_FAULT:
         if (!tab_take_failure(tab, question->body))
-            return answer_text(connection, MHD_HTTP_BAD_REQUEST, "expected: MODULE WHY RUN OFFSET…\n");
+            return answer_text(connection, MHD_HTTP_BAD_REQUEST, "expected: MODULE WHY RUN MEGABYTES OFFSET…\n");
         break;
     case NAME_NEXT:
         tab_next_step(tab);

@@ -116,9 +116,9 @@ bool tab_take_failure(Tab *tab, const char *text)
     const char *arguments[MOST_OFFSETS + 6] = {"llvm-symbolizer", "--output-style=GNU", "-f", "-i", "-e", tab->module};
     Fault fault = {.kind = FAULT_SIGNAL};
     char why[16], run[16];
-    int module, used;
+    int module, megabytes, used;
     unsigned long begin = tab->bytes ? code_begins((const unsigned char *)tab->bytes, tab->size) : 0, offset;
-    if (sscanf(text, "%d %15s %15s %n", &module, why, run, &used) != 3 || !set_kind(&fault, why) ||
+    if (sscanf(text, "%d %15s %15s %d %n", &module, why, run, &megabytes, &used) != 4 || !set_kind(&fault, why) ||
         !set_run(&fault, run))
         return false;
     if (module != tab->module_number || tab->looker.pid > 0 || tab->failure[0])
@@ -130,6 +130,11 @@ bool tab_take_failure(Tab *tab, const char *text)
             arguments[6 + count] = offsets[count];
             count++;
         }
+    if (fault.kind == FAULT_LOOP && fault.run != RUN_RENDER &&
+        megabytes > WORKER_MEMORY_GB * 128) { // filling it takes time
+        fault.kind = FAULT_MEMORY;
+        fault.memory_gb = megabytes / 1024.0;
+    }
     tab->fault = fault;
     tab->looked_size = 0;
     tab->looked[0] = '\0';

@@ -55,7 +55,7 @@ void tab_stop(Tab *tab);
 bool tab_poll(Tab *tab); // never waits; true: something is new
 bool tab_is_busy(const Tab *tab);
 void tab_next_step(Tab *tab);
-// What the page tells of a run that ended: "MODULE WHY RUN OFFSET…". False: that is nothing it could tell.
+// What the page tells of a run that ended: "MODULE WHY RUN MEGABYTES OFFSET…". False: that is nothing it could tell.
 bool tab_take_failure(Tab *tab, const char *text);
 bool tab_poll_failure(Tab *tab); // true: its place is known
 

@@ -19,7 +19,7 @@ $(TAB)/reference.a: $(STEP_SOURCES:%.c=$(WASM)/%.o)
 	$(call beside,rm -f $$new; llvm-ar rcs $$new $^)
 
 # For a shell, as STEP_COMPILE: with traps where the window's processes get a segmentation fault, and a guard against loops.
-TAB_FLAGS   = $(filter-out -O3,$(WASM_FLAGS)) -O2 -g -fsanitize=null,bounds -fsanitize-trap=all -fsanitize-coverage=edge,no-prune,trace-pc
+TAB_FLAGS   = $(filter-out -O3,$(WASM_FLAGS)) -O2 -g -fsanitize=null,bounds -fsanitize-minimal-runtime -fsanitize-coverage=edge,no-prune,trace-pc
 TAB_COMPILE = mkdir -p "$${2%/*}" && $(WASM_CC) $(TAB_FLAGS) -MMD -MP -MT "$$2" -MF "$${2%.so}.d" -c "$$1" -o "$$2.new$$$$" && mv "$$2.new$$$$" "$$2"
 TAB_MODULE  = $(WASM_CC) --target=wasm32-wasi $(filter-out -Wl$(COMMA)--strip-all,$(WASM_LINK)) -Wl,-z,stack-size=8388608
 TAB_LINK    = module=$$1; shift; $(TAB_MODULE) -Wl,--export=__stack_pointer,--max-memory=1073741824,--wrap=malloc,--wrap=calloc,--wrap=realloc \
@@ -60,3 +60,8 @@ TAB_SERVE = $(SERVE) $(TAB) --watch $(call quoted,$(CODE_SOURCE)) --code $(call 
             --link $(call quoted,$(TAB_LINK)) --scene $(call quoted,$(notdir $(PREVIEW_SCENE))) $(if $(STAGE_FLAGS),$(STAGE_FLAGS)) $(if $(PORT),--port $(PORT))
 TAB_OBJECTS = $(patsubst $(CODE_SOURCE)/%.c,$(TAB_CODE)/%.so,$(wildcard $(addprefix $(CODE_SOURCE)/,$(STEP_FILES))))
 tab: all meshes code-there $(SERVE) $(TAB)/photonlab.wasm $(TAB)/tab.html $(TAB)/tab.js $(TAB_OBJECTS)
+
+##check long check-tab  one's own code in a tab, in Chromium and Firefox, what of them is there: every fault, verdicts, what steps print (five minutes)
+.PHONY: check-tab
+check-tab: all meshes | $(SITE_TOOLS)
+	@$(ON_DISPLAY) node tests/web/check_tab.mjs $(WASM) $(WASM)/shots

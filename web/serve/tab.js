@@ -27,7 +27,7 @@ globalThis.photonlabHome = {
             state.lab.show()
             wantPicture()
         }
-        tellServer('fault', [student.module, error.trap.why, run, ...error.trap.offsets].join(' '))
+        tellServer('fault', [student.module, error.trap.why, run, error.trap.megabytes, ...error.trap.offsets].join(' '))
     },
 }
 
