@@ -131,7 +131,7 @@ bool tab_take_failure(Tab *tab, const char *text)
             count++;
         }
     if (fault.kind == FAULT_LOOP && fault.run != RUN_RENDER &&
-        megabytes > WORKER_MEMORY_GB * 128) { // filling it takes time
+        megabytes > WORKER_MEMORY_GB * 64) { // filling it takes time
         fault.kind = FAULT_MEMORY;
         fault.memory_gb = megabytes / 1024.0;
     }
