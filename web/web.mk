@@ -58,12 +58,17 @@ site: $(BUILD)/site/lab.html
 check-wasm: all meshes $(WASM)/photonlab.wasm
 	@node tests/web/same_photons.mjs $(PROGRAM) $(WASM)/photonlab.wasm
 
-.PHONY: check-site bench-site
+.PHONY: check-lab check-site bench-site
 # Firefox draws on a display only.
 SITE_TOOLS = $(WASM)/node_modules/puppeteer-core
 $(SITE_TOOLS):
 	$(Q)npm install --silent --no-fund --no-audit --prefix $(WASM) puppeteer-core
 ON_DISPLAY = $(if $(shell command -v xvfb-run 2>/dev/null),xvfb-run -a -s '-screen 0 1600x1200x24')
+
+##check beside check-lab  the lab and a live figure in a browser, where there is one and check-site has run: seconds
+check-lab: $(if $(wildcard $(SITE_TOOLS)),all meshes $(BUILD)/site/lab.html)
+	@if [ -d $(SITE_TOOLS) ]; then $(ON_DISPLAY) node tests/web/check_short.mjs $(PROGRAM) $(BUILD)/site/lab.html $(WASM)/photonlab.wasm $(WASM); \
+	else printf '○ no puppeteer-core here, which make check-site fetches: the lab was not opened\n0 passed, 0 failed\n'; fi
 
 ##check long check-site  lab and live figures in Chromium and Firefox, what of them is there: by mouse, keys and touch (ten minutes); screenshots in build/web/shots/
 check-site: all meshes site | $(SITE_TOOLS)
