@@ -13,7 +13,7 @@
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/common.sh"
-. "$here/judge/grader_cases.sh"
+. "$here/mistakes/grader_cases.sh"
 mode=${1:?quick, matrix, false-verdicts or write}
 PHOTONLAB_BUILD=$(cd "$PHOTONLAB_BUILD" && pwd)
 export CASES=$work/cases
@@ -78,7 +78,7 @@ quick() {
 matrix_run() {
     local title=$1 file="$found/matrix_${1//[^A-Za-z0-9]/_}.txt" differ
     shift
-    env "$@" bash -c '. tests/judge/grader_cases.sh; grade_cases' <"$work/list" | sort >"$file"
+    env "$@" bash -c '. tests/mistakes/grader_cases.sh; grade_cases' <"$work/list" | sort >"$file"
     [ -e "$found/matrix_first.txt" ] || cp "$file" "$found/matrix_first.txt"
     differ=$(diff <(cut -d ' ' -f 1-4 "$found/matrix_first.txt") <(cut -d ' ' -f 1-4 "$file") | grep '^[<>]')
     if [ -z "$differ" ]; then
@@ -123,7 +123,7 @@ false_verdicts() {
         for ((i = 0; i < ${SALTS:-40}; i++)); do
             echo "$work/right$submission salt$i $CASES/$submission.$i"
         done
-    done | nice xargs -P "${JOBS:-$(nproc)}" -L 1 bash "$here/judge/grade_right.sh" >"$found/false_verdicts.txt"
+    done | nice xargs -P "${JOBS:-$(nproc)}" -L 1 bash "$here/mistakes/grade_right.sh" >"$found/false_verdicts.txt"
     local trials first confirmed
     trials=$(count " first-round " "$found/false_verdicts.txt")
     first=$(count " first-round fail" "$found/false_verdicts.txt")
@@ -156,7 +156,7 @@ case $mode in
 quick) quick ;;
 matrix) matrix ;;
 false-verdicts) false_verdicts ;;
-write) . "$here/judge/grader_table.sh"; write_table ;;
+write) . "$here/mistakes/grader_table.sh"; write_table ;;
 *) echo "check_grader.sh quick|matrix|false-verdicts|write"; exit 2 ;;
 esac
 echo "took $((SECONDS - start)) s"

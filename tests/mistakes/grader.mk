@@ -13,7 +13,7 @@ check-grader: judge
 
 ##check long check-fresh  mistakes that the diagnosis was not made from: how many does it name? (five minutes)
 check-fresh: judge
-	@bash tests/judge/fresh_mistakes.sh
+	@bash tests/mistakes/fresh_mistakes.sh
 
 ##maintainer grader-table  what check-grader found, into tests/README.md
 grader-table:
@@ -23,6 +23,6 @@ grader-table:
 mistakes-table: judge
 	@echo "measuring every known mistake: some minutes"
 	@mkdir -p $(BUILD)/grader
-	@CASES=$(abspath $(BUILD))/grader/cases bash tests/judge/features_table.sh \
+	@CASES=$(abspath $(BUILD))/grader/cases bash tests/mistakes/features_table.sh \
 	    >$(BUILD)/grader/features.txt && mv $(BUILD)/grader/features.txt tests/mistakes/features.txt && \
 	    echo "tests/mistakes/features.txt: $$(ls -d tests/mistakes/*/ | wc -l) mistakes measured. Next: make check-grader-quick"

@@ -35,7 +35,7 @@ list() {
 }
 
 for ((i = 0; i < salts; i++)); do
-    list | grep -E "^${ONLY:-}" | SALT="table $i" xargs -P "$jobs" -L 1 bash tests/judge/grade_case.sh
+    list | grep -E "^${ONLY:-}" | SALT="table $i" xargs -P "$jobs" -L 1 bash tests/mistakes/grade_case.sh
 done | sort -s -k 1,1 | awk '
     function flush(    f, value, scatter, error) {
         if (name == "")

@@ -58,7 +58,7 @@ grader_cases() {
 
 # Grades the lines that come in, JOBS at a time, and prints "CASE STEP STATUS POINTS MISTAKE" for each.
 grade_cases() {
-    nice xargs -P "${JOBS:-$(nproc)}" -L 1 bash tests/judge/grade_case.sh
+    nice xargs -P "${JOBS:-$(nproc)}" -L 1 bash tests/mistakes/grade_case.sh
 }
 
 # The upper bound of a rate after $1 hits in $2 trials at confidence $3 (Clopper & Pearson 1934): the rate at which so few hits
@@ -87,7 +87,7 @@ clopper_pearson() {
 # For awk, on lines "CASE STEP STATUS POINTS MISTAKE": was a known mistake named rightly? Mistakes of one text are one.
 named_rightly='
     BEGIN {
-        texts = "bash -c \". tests/judge/grader_cases.sh; mistake_texts\""
+        texts = "bash -c \". tests/mistakes/grader_cases.sh; mistake_texts\""
         while ((texts | getline line) > 0) {
             split(line, known, "\t")
             text[known[1]] = known[2]

@@ -12,7 +12,7 @@ export CASES=$work/cases
 grade() {
     local file=$1 number=$2 fits=$3 name
     name=${file##*/}
-    PHOTONLAB_FLAGS="$PHOTONLAB_FLAGS -DMISTAKE=$number" bash tests/judge/grade_case.sh "${name%%_*}.$number" "${name%%_*}" "$file" |
+    PHOTONLAB_FLAGS="$PHOTONLAB_FLAGS -DMISTAKE=$number" bash tests/mistakes/grade_case.sh "${name%%_*}.$number" "${name%%_*}" "$file" |
         sed "s/$/ $fits/"
 }
 export -f grade
