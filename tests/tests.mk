@@ -94,7 +94,7 @@ check-attacks: judge $(WRITE_REPORTS)
 	@$(if $(CHECK),EVERY=2 SANDBOXES="uid bubblewrap") bash tests/attacks/everywhere.sh $(ATTACKS)
 
 ##check beside check-reports  every report format by its own schema
-$(BUILD)/tests/print_sample: $(call object,tests/judge/report/test/print_sample.c tests/judge/print.c $(REPORT_WORDS)) $(LIBRARY)
+$(BUILD)/tests/print_sample: $(call object,tests/judge/report/test/print_sample.c tests/judge/print.c tests/judge/terminal.c $(REPORT_WORDS)) $(LIBRARY)
 	$(call link)
 check-reports: $(WRITE_REPORTS) $(BUILD)/tests/print_sample
 	@bash tests/judge/report_test.sh $^

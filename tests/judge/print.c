@@ -1,118 +1,14 @@
 // What the person at the terminal reads: stages, steps, what is wrong and where to go on, and the sums.
 #include "judge/scatter/scatter.h"
+#include "judge/terminal.h"
 #include "report/text.h"
 #include "base/text.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
-
-#define INDENT     "        "
-#define MOST_LINES 20  // of what a step printed
-#define WIDEST     100 // columns: longer lines are hard to read
 
 static const char *const colours[] = {"\033[32m", "\033[31m", "\033[33m", "\033[90m", "\033[90m"};
-
-typedef struct {
-    int width;
-    bool colour;
-} Terminal;
-
-static Terminal terminal_find(void)
-{
-    Terminal terminal = {.width = 80};
-    struct winsize size;
-    const char *columns = getenv("COLUMNS"), *no_colour = getenv("NO_COLOR"), *kind = getenv("TERM");
-    bool there = isatty(STDOUT_FILENO);
-    if (columns && atoi(columns) > 0)
-        terminal.width = atoi(columns);
-    else if (there && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
-        terminal.width = size.ws_col;
-    terminal.width = terminal.width < 40 ? 40 : terminal.width > WIDEST ? WIDEST : terminal.width;
-    terminal.colour = there && !(no_colour && *no_colour) && !(kind && strcmp(kind, "dumb") == 0);
-    return terminal;
-}
-
-static void paint(const Terminal *terminal, const char *code)
-{
-    if (terminal->colour)
-        fputs(code, stdout);
-}
-
-// Columns that the text takes: characters, but those that sit on the one before.
-static int columns_of(const char *text, size_t size)
-{
-    int columns = 0;
-    for (size_t i = 0; i < size;) {
-        unsigned long code = 0;
-        size_t length = text_character((const unsigned char *)text + i, size - i, &code);
-        columns += !(code >= 0x300 && code <= 0x36f);
-        i += length > 0 ? length : 1;
-    }
-    return columns;
-}
-
-static char *clean(const char *text)
-{
-    char *copy = text_clean(text, strlen(text), 65536);
-    if (!copy)
-        exit(3);
-    return copy;
-}
-
-// Breaks the text at blanks where a line is full. A word longer than a line stays whole: it may be a path to copy.
-static void print_wrapped(const Terminal *terminal, const char *text)
-{
-    char *words = clean(text), *rest = NULL;
-    int column = 0, widest = terminal->width - (int)sizeof INDENT + 1;
-    fputs(INDENT, stdout);
-    for (char *word = strtok_r(words, " \n\t", &rest); word; word = strtok_r(NULL, " \n\t", &rest)) {
-        int width = columns_of(word, strlen(word));
-        if (column > 0 && column + 1 + width > widest) {
-            fputs("\n" INDENT, stdout);
-            column = 0;
-        }
-        printf("%s%s", column > 0 ? " " : "", word);
-        column += width + (column > 0);
-    }
-    putchar('\n');
-    free(words);
-}
-
-static size_t lines_in(const char *text)
-{
-    size_t lines = 0;
-    for (; *text; text = text + strcspn(text, "\n") + (text[strcspn(text, "\n")] == '\n'))
-        lines++;
-    return lines;
-}
-
-// Lines as they stand, since a compiler's point at columns: the first `before`, and with them the last that MOST_LINES has room
-// for.
-static void print_lines(const char *text, size_t before)
-{
-    char *lines = clean(text), *line = lines;
-    size_t count = lines_in(lines), after = MOST_LINES - before;
-    for (size_t i = 0; i < count; i++) {
-        size_t length = strcspn(line, "\n");
-        if (count <= MOST_LINES || i < before || i >= count - after)
-            printf(INDENT "%.*s\n", (int)length, line);
-        else if (i == before)
-            printf(INDENT "… %zu lines%s\n", count - MOST_LINES, after ? " between" : " more");
-        line += length + (line[length] == '\n');
-    }
-    free(lines);
-}
-
-static void print_dim(const Terminal *terminal, const char *before, const char *text)
-{
-    char line[2048];
-    snprintf(line, sizeof line, "%s%s", before, text);
-    paint(terminal, "\033[2m");
-    print_wrapped(terminal, line);
-    paint(terminal, "\033[0m");
-}
 
 // Title to the left, points to the right.
 static void print_title(const Terminal *terminal, const StepResult *result)
@@ -120,12 +16,12 @@ static void print_title(const Terminal *terminal, const StepResult *result)
     char points[40], most[40], right[90];
     snprintf(right, sizeof right, "%s/%s", text_points(result->points, points, sizeof points),
              text_points(result->points_max, most, sizeof most));
-    int used = 4 + columns_of(result->step->id, strlen(result->step->id)) + 1 +
-               columns_of(result->step->title, strlen(result->step->title)) + (int)strlen(right);
+    int used = 4 + terminal_columns(result->step->id, strlen(result->step->id)) + 1 +
+               terminal_columns(result->step->title, strlen(result->step->title)) + (int)strlen(right);
     int gap = (terminal->width < 70 ? terminal->width : 70) - used;
-    paint(terminal, colours[result->status]);
+    terminal_paint(terminal, colours[result->status]);
     printf("  %s ", status_table[result->status].mark);
-    paint(terminal, "\033[0m");
+    terminal_paint(terminal, "\033[0m");
     printf("%s %s%*s%s\n", result->step->id, result->step->title, gap > 2 ? gap : 2, "", right);
 }
 
@@ -188,9 +84,9 @@ static void print_details(const Terminal *terminal, const StepResult *result)
         print_dim(terminal, "in ", result->words.where);
     if (*result->looks_like) {
         snprintf(line, sizeof line, "looks like: %s", result->looks_like);
-        paint(terminal, "\033[1m");
+        terminal_paint(terminal, "\033[1m");
         print_wrapped(terminal, line);
-        paint(terminal, "\033[0m");
+        terminal_paint(terminal, "\033[0m");
     }
     print_output(terminal, result);
     if (result->status == STATUS_SKIP)
@@ -219,11 +115,11 @@ static void print_step(const Terminal *terminal, const StepResult *result, bool 
 static void print_stage(const Terminal *terminal, const StepInfo *step)
 {
     size_t length = strcspn(step->file, "/"), start = strcspn(step->file, "_") + 1;
-    paint(terminal, "\033[1m");
+    terminal_paint(terminal, "\033[1m");
     printf("\nStage %d · ", step->stage);
     for (size_t i = start; i < length; i++)
         putchar(step->file[i] == '_' ? ' ' : step->file[i]);
-    paint(terminal, "\033[0m");
+    terminal_paint(terminal, "\033[0m");
     putchar('\n');
 }
 
@@ -234,9 +130,9 @@ static void print_scatter(const Terminal *terminal, const StageResult *stages, i
     const StageResult *stage = number > 0 && number <= STAGE_COUNT ? &stages[number - 1] : NULL;
     if (!stage || stage->stage == 0 || stage->status == STATUS_TODO)
         return;
-    paint(terminal, colours[stage->status]);
+    terminal_paint(terminal, colours[stage->status]);
     printf("  %s ", status_table[stage->status].mark);
-    paint(terminal, "\033[0m");
+    terminal_paint(terminal, "\033[0m");
     printf("scatter of stage %d, by your %s\n", stage->stage, stage->steps);
     if (stage->status != STATUS_PASS) {
         snprintf(line, sizeof line, "stage %d, scatter: %s", stage->stage,
@@ -296,7 +192,7 @@ void print_results(const StepResult *results, int count, const StageResult *stag
 // One line's field, behind a tab.
 static void print_field(const char *text)
 {
-    char *copy = clean(text);
+    char *copy = terminal_clean(text);
     for (char *at = copy; *at; at++)
         *at = *at == '\t' || *at == '\n' ? ' ' : *at;
     printf("\t%s", copy);
