@@ -43,6 +43,9 @@ typedef struct {
 // The child, from fork to exec: its output goes to `out`, a complaint to `complaint`, which exec closes. Never returns.
 void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launch, int out, int complaint);
 
+// Reads what the child prints until it has ended, or has to be ended. Takes its state.
+void sandbox_watch(pid_t child, int out, const SandboxRun *run, SandboxResult *result);
+
 // A seccomp filter as instructions of the kernel's, in a file without a name. −1 with a reason.
 int sandbox_filter(SandboxKind kind, const SandboxRun *run, Error *error);
 
