@@ -1,5 +1,4 @@
 #include "photons/pass/trace_internal.h"
-#include "math/sample.h"
 #include "base/array.h"
 #include "base/parallel.h"
 #include "steps/steps.h"
@@ -9,100 +8,6 @@
 
 #define CHUNK        4096 // paths a thread takes at a time
 #define CHUNKS_TRIED 64   // after so many it is known how much memory all will take
-
-// Probability and running sum by which a light is picked, in proportion to its power.
-typedef struct {
-    float probability, up_to;
-} LightChance;
-
-static LightChance *light_chances(const Scene *scene)
-{
-    LightChance *chances = calloc(scene->light_count, sizeof *chances);
-    if (!chances)
-        return NULL;
-    double total = 0.0;
-    for (size_t i = 0; i < scene->light_count; i++)
-        total += (double)colour_sum(scene->lights[i].power);
-    double sum = 0.0;
-    for (size_t i = 0; i < scene->light_count; i++) {
-        double power = (double)colour_sum(scene->lights[i].power);
-        sum += power;
-        chances[i].probability = (float)(power / total);
-        chances[i].up_to = (float)(sum / total);
-    }
-    return chances;
-}
-
-static size_t pick_light(const LightChance *chances, size_t count, Rng *rng)
-{
-    if (count == 1)
-        return 0;
-    float u = rng_float(rng);
-    size_t i = 0;
-    while (i + 1 < count && u >= chances[i].up_to)
-        i++;
-    return i;
-}
-
-Photon light_emit(const Light *light, Rng *rng)
-{
-    if (light->type == LIGHT_RECTANGLE)
-        return steps.emit_photon(light, rng);
-    float u = rng_float(rng);
-    float v = rng_float(rng);
-    Vec3 position = light->position, direction = light->direction;
-    switch (light->type) {
-    case LIGHT_RECTANGLE: // returned above
-        break;
-    case LIGHT_BEAM: {
-        Vec3 spot = sample_disk(u, v);
-        position = vec3_along(position, light->edge_u, spot.x * light->radius);
-        position = vec3_along(position, light->edge_v, spot.y * light->radius);
-        break;
-    }
-    case LIGHT_SPOT: {
-        Frame frame = frame_about(light->direction);
-        direction = frame_to_world(&frame, sample_cone(light->cos_cone, u, v));
-        break;
-    }
-    case LIGHT_POINT:
-        direction = sample_sphere(u, v);
-        break;
-    case LIGHT_SPHERE: {
-        Vec3 outward = sample_sphere(u, v);
-        float s = rng_float(rng);
-        float t = rng_float(rng);
-        position = vec3_along(position, outward, light->radius);
-        direction = sample_cosine(outward, s, t);
-        break;
-    }
-    }
-    return photon_create(position, direction, light->power);
-}
-
-// As light_emit, from the light as it is at one wavelength; of hero wavelengths the others follow by thirds of the range's share.
-static Photon emit_at_wavelength(const Light *light, double place, bool hero, Rng *rng)
-{
-    Light at = *light;
-    float wavelength[3];
-    for (int c = 0; c < 3; c++) {
-        double u = place + c / 3.0;
-        float weight = 1.0f;
-        wavelength[c] = light->spectrum && light->spectrum->line > 0.0f
-                            ? light->spectrum->line
-                            : steps.draw_wavelength((float)(floor((u - floor(u)) * 0x1p24) * 0x1p-24), &weight);
-        colour_set_channel(&at.power, c, weight * light_power_at(light, wavelength[c]));
-    }
-    if (!hero)
-        at.power = colour_grey(at.power.r);
-    if (light->area > 0.0f)
-        at.radiance = colour_scale(at.power, 1.0f / (PI * light->area));
-    Photon photon = light_emit(&at, rng);
-    photon.wavelength = wavelength[0];
-    for (int c = 1; hero && c < 3; c++)
-        photon.others[c - 1] = wavelength[c];
-    return photon;
-}
 
 static void close_path(PhotonTrace *trace)
 {
@@ -128,11 +33,12 @@ static void trace_chunk(PhotonTrace *trace, const LightChance *chances, long fir
         if (options->recorder)
             options->recorder->path(options->recorder->user, i);
         Rng rng = rng_create(options->seed, (uint64_t)i);
-        size_t l = pick_light(chances, scene->light_count, &rng);
+        size_t l = light_pick(chances, scene->light_count, &rng);
         // By steps of the golden ratio, successive photons have wavelengths that lie well apart.
-        Photon photon = spectral ? emit_at_wavelength(&scene->lights[l], first_place + (double)i * 0.6180339887498949,
-                                                      options->hero, &rng)
-                                 : light_emit(&scene->lights[l], &rng);
+        Photon photon = spectral
+                            ? light_emit_at_wavelength(&scene->lights[l], first_place + (double)i * 0.6180339887498949,
+                                                       options->hero, &rng)
+                            : light_emit(&scene->lights[l], &rng);
         float share = (float)(1.0 / ((double)options->photons * (double)chances[l].probability));
         photon.power = colour_scale(photon.power, share);
         photon.from = scene->lights[l].primitive;

@@ -27,4 +27,16 @@ static inline void ledger_add_power(double sum[3], Colour power)
     sum[2] += (double)power.b;
 }
 
+// Probability and running sum by which a light is picked, in proportion to its power.
+typedef struct {
+    float probability, up_to;
+} LightChance;
+
+// One for each light, to be freed; NULL: no memory.
+LightChance *light_chances(const Scene *scene);
+size_t light_pick(const LightChance *chances, size_t count, Rng *rng);
+
+// As light_emit, from the light as it is at one wavelength; of hero wavelengths the others follow by thirds of the range's share.
+Photon light_emit_at_wavelength(const Light *light, double place, bool hero, Rng *rng);
+
 #endif
