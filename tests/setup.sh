@@ -18,7 +18,7 @@ for target in "$@"; do
     class-alike | check-alike) packages="$packages python3-venv" ;;
     check-export) packages="$packages python3 python3-venv libopenexr-dev" ;;
     check* | reference | agreement | bench-* | calibrate | fuzz* | *figures | *-table)
-        packages="$packages git libcmocka-dev libopenexr-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"
+        packages="$packages git curl libmicrohttpd-dev libcmocka-dev libopenexr-dev clang libomp-dev locales xz-utils patch jq libxml2-utils perl python3 xvfb xdotool x11-utils gnuplot-nox"
         ;;
     esac
     [ "$target" != check-elsewhere ] || packages="$packages qemu-user-static musl-tools dpkg-dev gcc-i686-linux-gnu gcc-s390x-linux-gnu
@@ -31,14 +31,15 @@ done
 where_there_is="libosmesa6"
 
 others='photonlab needs a C99 compiler, GNU make, libpng and libyaml; make test also GSL, jansson, libseccomp, bubblewrap,
-libarchive and gdb; make preview GLFW, the stb headers, the font DejaVu Sans and OSMesa or EGL; make notes pandoc, its figures gnuplot; pictures in EXR OpenEXR; its own tests also
+libarchive and gdb; make preview GLFW, the stb headers, the font DejaVu Sans and OSMesa or EGL, in the browser
+(WEB=1) clang, lld, llvm, wasi-libc, compiler-rt for wasm32 and libmicrohttpd; make notes pandoc, its figures gnuplot; pictures in EXR OpenEXR; its own tests also
 cmocka, clang with OpenMP, xz, patch, GNU parallel, zip, unzip, jq, xmllint, perl, python3, Xvfb, xprop and xdotool.
   Fedora     sudo dnf install gcc make pkgconf libpng-devel libyaml-devel openexr-devel libcmocka-devel clang libomp-devel xz \
-                 gsl-devel jansson-devel libseccomp-devel libarchive-devel bubblewrap gdb binutils patch parallel zip unzip jq libxml2 perl python3 \
+                 gsl-devel jansson-devel libmicrohttpd-devel libseccomp-devel libarchive-devel bubblewrap gdb binutils patch parallel zip unzip jq libxml2 perl python3 \
                  glfw-devel stb_truetype-devel dejavu-sans-fonts mesa-libEGL mesa-dri-drivers xorg-x11-server-Xvfb xprop xdotool pandoc gnuplot
-  Arch       sudo pacman -S gcc make pkgconf libpng libyaml openexr cmocka clang openmp xz gsl jansson libseccomp libarchive bubblewrap gdb \
+  Arch       sudo pacman -S gcc make pkgconf libpng libyaml openexr cmocka clang openmp xz gsl jansson libmicrohttpd libseccomp libarchive bubblewrap gdb \
                  binutils patch parallel zip unzip jq libxml2 perl glfw stb ttf-dejavu mesa xorg-server-xvfb xorg-xprop xdotool pandoc-cli gnuplot
-  Homebrew   brew install make pkg-config libpng libyaml openexr cmocka llvm libomp xz gsl jansson libarchive parallel jq \
+  Homebrew   brew install make pkg-config libpng libyaml openexr cmocka llvm libomp xz gsl jansson libmicrohttpd libarchive parallel jq \
                  glfw mesa pandoc gnuplot; stb_truetype.h by hand, without it the preview has no text
              (the sandbox of make test is for Linux alone: on macOS use a Linux machine or container for it)'
 

@@ -2,7 +2,7 @@
 # The students' archive. `make handout` runs it; its arguments come as PHOTONLAB_… from class.mk.
 #
 # Without solutions' sources, the reference comes along as shared objects in prebuilt/<machine>-<system>/, and
-# prebuilt/steps.mk makes the Makefile take them.
+# prebuilt/steps.mk makes the Makefile take them; PHOTONLAB_TAB: the folder of the browser's part, where there is one.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/files.sh"
@@ -55,6 +55,9 @@ if [ -z "$with" ]; then
             exit 1
     done
     cp "$here/prebuilt.mk" "$top/prebuilt/steps.mk" || exit 1
+    if [ -n "${PHOTONLAB_TAB:-}" ]; then
+        mkdir "$top/prebuilt/wasm" && cp "$PHOTONLAB_TAB/library.o" "$PHOTONLAB_TAB/reference.a" "$top/prebuilt/wasm/" || exit 1
+    fi
 fi
 
 (cd "$top" && find . -type f ! -name .photonlab-files | sed 's|^\./||' | LC_ALL=C sort | tr '\n' '\0' |

@@ -48,7 +48,9 @@ handout: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/handout)
 handout: export PHOTONLAB_VERSION = $(VERSION)
 handout: export PHOTONLAB_WITH_SOLUTIONS = $(WITH_SOLUTIONS)
 handout: all $(CLASS_TABLE)
-	@bash tests/class/handout.sh
+	+@if $(MAKE) --no-print-directory tab-parts >$(BUILD)/tab.log 2>&1; then export PHOTONLAB_TAB=$(TAB); else \
+	echo "without the browser's part (make preview WEB=1), which does not build here: see $(BUILD)/tab.log; make setup WEB=1"; fi; \
+	bash tests/class/handout.sh
 
 ##teacher gradescope  the autograder for Gradescope: make gradescope [OUT=build/gradescope] [SALT=secret]
 gradescope: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/gradescope)

@@ -4,24 +4,10 @@
 import {execFileSync} from 'node:child_process'
 import fs from 'node:fs'
 import path from 'node:path'
-import {installed, launch} from './browsers.mjs'
+import {installed, launch, median, processorSeconds} from './browsers.mjs'
 
 const [program, site, tools] = process.argv.slice(2)
 const ROUNDS = 5, PHOTONS = 500000, FRAMES = 40, FILE = '/tmp/bench_lab.ply'
-const median = list => list.sort((a, b) => a - b)[list.length >> 1]
-
-// Seconds that a process and all that it started have used: columns 14 and 15 of /proc/PID/stat, hundredths.
-function processorSeconds(root) {
-    const stat = Object.fromEntries(fs.readdirSync('/proc').filter(name => /^\d+$/.test(name)).flatMap(pid => {
-        try {
-            return [[pid, fs.readFileSync(`/proc/${pid}/stat`, 'utf8').replace(/^.*\) /, '').split(' ')]]
-        } catch (gone) {
-            return []
-        }
-    }))
-    const below = pid => pid === String(root) || (stat[pid] && pid !== '0' && below(stat[pid][1]))
-    return Object.keys(stat).filter(below).reduce((sum, pid) => sum + (Number(stat[pid][11]) + Number(stat[pid][12])) / 100, 0)
-}
 
 function nativeSeconds(scene) {
     const command = `TIMEFORMAT=%U; { time ${program} photons scenes/${scene} -o ${FILE} --photons ${PHOTONS} --threads 1 --quiet; } 2>&1`

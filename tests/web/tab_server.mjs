@@ -13,6 +13,7 @@ export async function startTab(work, ...settings) {
     for (const stream of [make.stdout, make.stderr]) stream.on('data', data => { said += data })
     const ended = new Promise(resolve => make.on('exit', resolve))
     const tab = {
+        pid: make.pid,
         said: () => said,
         save(file, text) { // as editors do: whole, and then in its place
             fs.writeFileSync(path.join(work, 'saved'), text)

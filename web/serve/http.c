@@ -18,15 +18,21 @@
 #define MANY             64
 #define LONGEST_ANSWER   60.0 // s
 #define LONGEST_WAIT     20.0 // s, for news
-#define MOST_TOLD        20   // refusals
+#define MOST_TOLD        10   // times, of a reason
 
 void server_tell(Server *server, const char *what, const char *more)
 {
     Error line = {""};
-    if (server->told++ > MOST_TOLD)
+    int reason = 0;
+    while (reason < REASONS - 1 && server->told[reason].what && strcmp(server->told[reason].what, what) != 0)
+        reason++;
+    server->told[reason].what = what;
+    int times = ++server->told[reason].times;
+    if (times > MOST_TOLD)
         return;
-    error_set(&line, "refused: %s%s%.200s", what, more[0] ? ": " : "", more); // without control characters
-    puts(server->told > MOST_TOLD ? "refused: more; no more of it is told" : line.message);
+    error_set(&line, "refused: %s%s%.200s%s", what, more[0] ? ": " : "", more,
+              times == MOST_TOLD ? "; more of this is not told" : ""); // without control characters
+    puts(line.message);
 }
 
 static void log_line(void *user, const char *format, va_list arguments)

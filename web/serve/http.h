@@ -31,6 +31,7 @@ typedef struct Waiting { // for another state
 } Waiting;
 
 #define MOST_BODY 2048 // bytes
+#define REASONS   16   // to refuse
 typedef struct {
     char body[MOST_BODY + 1];
     size_t size;
@@ -43,7 +44,11 @@ struct Server {
     char *bytes[NAMES];
     size_t sizes[NAMES];
     char token[33], url[128];
-    int port, visit_count, told;
+    int port, visit_count;
+    struct {
+        const char *what;
+        int times;
+    } told[REASONS];
     Visit *visits;
     Waiting *waiting;
 };

@@ -48,7 +48,8 @@ $(TAB_CODE)/%.so: $(CODE_SOURCE)/%.c
 	$(Q)set -- '$<' '$@'; $(TAB_COMPILE) || { rm -rf $@ $@.new*; echo "  ✗ $< does not compile; the reference plays in its place"; }
 -include $(wildcard $(TAB_CODE)/*/*.d)
 
-.PHONY: tab tab-tools
+.PHONY: tab tab-parts tab-tools
+tab-parts: $(TAB_LIBRARY) $(TAB_REFERENCE)
 tab-tools:
 	@for tool in $(WASM_CC) wasm-ld llvm-ar llvm-symbolizer; do command -v $$tool >/dev/null || missing="$$missing $$tool"; done; \
 	echo '#include <microhttpd.h>' | $(CC) -fsyntax-only -x c - 2>/dev/null || missing="$$missing libmicrohttpd"; \
@@ -65,3 +66,13 @@ tab: all meshes code-there $(SERVE) $(TAB)/photonlab.wasm $(TAB)/tab.html $(TAB)
 .PHONY: check-tab
 check-tab: all meshes | $(SITE_TOOLS)
 	@$(ON_DISPLAY) node tests/web/check_tab.mjs $(WASM) $(WASM)/shots
+
+##check beside check-serve  attacks on the tab's server: other pages and names, paths, too much of anything
+.PHONY: check-serve
+check-serve: $(SERVE)
+	@bash tests/web/attack_tab.sh $(SERVE)
+
+##maintainer bench-tab  seconds from a save to new photons in the tab: the median of twenty
+.PHONY: bench-tab
+bench-tab: all meshes | $(SITE_TOOLS)
+	@$(ON_DISPLAY) node tests/web/bench_tab.mjs $(WASM) $(WASM)/tab_bench

@@ -1,0 +1,120 @@
+#!/usr/bin/env bash
+# Attacks on the server of `make preview WEB=1`: refused, and told in the terminal. Usage: attack_tab.sh SERVE
+set -u
+serve=$1
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+trap 'kill "$server" 2>/dev/null; rm -rf "$work"' EXIT
+command -v curl >/dev/null || bad "curl is missing: make setup"
+
+mkdir -p "$work/page" "$work/steps" "$work/objects"
+echo "the page" >"$work/page/tab.html"
+echo "a script" >"$work/page/tab.js"
+echo "a module" >"$work/page/photonlab.wasm"
+echo "a secret" >"$work/secret"
+ln -s ../secret "$work/page/link"
+log=$work/log
+# start: another server; sets $server, $url, $port, $token.
+start() {
+    "$serve" "$work/page" --watch "$work/steps" --code "$work/objects" --build false --link 'echo linked >"$1"' >"$log" 2>&1 &
+    server=$!
+    for _ in $(seq 100); do
+        url=$(sed -n 's/^Your photons: //p' "$log")
+        [ -z "$url" ] || break
+        sleep 0.02
+    done
+    port=${url#http://127.0.0.1:} && port=${port%%/*}
+    token=${url%/} && token=${token##*/}
+}
+
+# status ARGUMENT…: what curl is answered; 000: nothing.
+status() {
+    curl -s -o "$work/answer" -m 5 --path-as-is -w '%{http_code}' "$@"
+}
+# answers TEXT PATTERN ARGUMENT…
+answers() {
+    local text=$1 pattern=$2 found
+    shift 2
+    found=$(status "$@")
+    [[ $found =~ ^($pattern)$ ]] && good "$text: $found" || bad "$text: expected $pattern, found $found: $(head -c 200 "$work/answer")"
+    ! grep -q secret "$work/answer" || bad "$text: the secret was given away"
+}
+told() {
+    grep -qF "refused: $1" "$log" && good "the terminal tells: $(grep -F "refused: $1" "$log" | head -1)" || bad "the terminal does not tell: $1"
+}
+
+start
+first=$token
+[[ $token =~ ^[0-9a-f]{32}$ ]] && good "a token of 128 bits" || bad "a token of 128 bits: $token"
+answers "the page itself" 200 "$url"
+answers "… by a forwarded port" 200 -H 'Host: localhost:9' "$url"
+curl -s -D - -o /dev/null "$url" | grep -qi "^content-security-policy: default-src 'none'" && good "its scripts come from the server alone" || bad "no policy for scripts"
+
+# Other names for this machine, other pages, other sites.
+for host in evil.example 127.0.0.1.evil.example localhost.evil.example localhost:80@evil.example '127.0.0.1:80:80x' ''; do
+    answers "Host: $host" '40[03]' -H "Host: $host" "$url"
+done
+answers "no Host at all" '40[03]' -0 -H 'Host:' "$url"
+told "it does not name this machine"
+for origin in http://evil.example null "https://127.0.0.1:$port" "http://127.0.0.1:$((port + 1))"; do
+    answers "Origin: $origin" 403 -H "Origin: $origin" "$url"state
+    answers "Origin: $origin tells of a fault" 403 -H "Origin: $origin" -d '1 loop photons 1' "$url"fault
+done
+told "it comes from another page"
+answers "Sec-Fetch-Site: cross-site" 403 -H 'Sec-Fetch-Site: cross-site' "$url"
+told "it comes from another site"
+
+# Tokens, names, methods.
+root=http://127.0.0.1:$port
+for path in / /state "/$(echo "$token" | tr 0-9a-f 1-9a-f0)/" "/${token%?}/" "/${token}0/" "/${token^^}x/" "//$token/" "/x/../$token/"; do
+    answers "no token: ${path:0:12}" 403 "$root$path"
+done
+told "it has not the address that was printed"
+for path in ../secret ..%2fsecret %2e%2e/secret %2e%2e%2fsecret ..%5csecret ../../../../etc/passwd /etc/passwd %2fetc%2fpasswd link tab.html ./ .%00/ page/ 'state/..' 'STATE'; do
+    answers "a path that leaves: $path" 404 "$url$path"
+done
+told "there is nothing of this name"
+for method in PUT DELETE OPTIONS TRACE PATCH; do
+    answers "$method" '403|405|501' -X "$method" "$url"
+done
+answers "a page that is told something" 404 -d x "$url"
+
+# Too much, and nonsense.
+head -c 200000 /dev/zero | tr '\0' a >"$work/long"
+answers "an address of 100 kB" '000|4..' "$url$(head -c 100000 "$work/long")"
+answers "a header of 200 kB" '000|4..' -H @<(echo "X-Long: $(cat "$work/long")") "$url"
+answers "a header of 2000 lines" '000|4..' -H @<(seq -f 'X-%.0f: y' 2000) "$url"
+answers "a fault of 200 kB" '000|4..' -H 'Expect:' --data-binary @"$work/long" "$url"fault
+told "it tells too much"
+for body in '' 'x' '1' '1 loop' '1 loop photons' '99999999999 loop photons 1' '1 nonsense photons 1' '1 loop nonsense 1' '1 loop photons x'; do
+    answers "a fault: '$body'" '200|400' -d "$body" "$url"fault
+done
+answers "the state after nonsense" 200 "${url}state?after=%00%ff%0a-1"
+printf 'nonsense\r\n\r\n' >"/dev/tcp/127.0.0.1/$port"
+printf '\0\1\2\3\377' >"/dev/tcp/127.0.0.1/$port"
+
+# A thousand connections that say nothing, and one that says a letter now and then.
+ulimit -n 4096 2>/dev/null
+opened=0
+for _ in $(seq 1000); do
+    { exec {one}<>"/dev/tcp/127.0.0.1/$port"; } 2>/dev/null && opened=$((opened + 1))
+done
+{ for letter in G E T ' ' / x x x x x x x x x x x x x x x x x x x x; do printf %s "$letter" || break; sleep 0.1; done >"/dev/tcp/127.0.0.1/$port"; } 2>/dev/null &
+for _ in $(seq 20); do
+    [ "$(status "$url")" != 200 ] || break
+    sleep 0.1
+done
+answers "the page, beside $opened connections that say nothing" 200 "$url"
+told "connections that ask nothing, while there are many"
+open=$(find "/proc/$server/fd" -lname 'socket:*' 2>/dev/null | wc -l)
+check "$open < 300" "of them $open are open"
+
+addresses=$(awk -v port="$(printf %04X "$port")" '$2 ~ ":" port "$" && $4 == "0A" {print $2}' /proc/net/tcp /proc/net/tcp6)
+[ "$addresses" = "0100007F:$(printf %04X "$port")" ] && good "it listens at 127.0.0.1 and nowhere else" || bad "it listens at: $addresses"
+lines=$(grep -c '^refused' "$log")
+check "$lines <= 100" "the terminal is not flooded: $lines refusals are told"
+! grep -qP '[\x00-\x08\x0b-\x1f\x7f]' "$log" && good "… without control characters" || bad "control characters in the terminal"
+kill "$server" && wait "$server"
+start
+[ "$token" != "$first" ] && good "another token each time" || bad "the same token again"
+finish
