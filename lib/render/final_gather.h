@@ -32,8 +32,6 @@ struct GatherTrace {
     Material glass; // the last that disperses, as this channel meets it
 };
 
-extern const Material gather_white;
-
 // Makes the estimates that the picture needs. One eye a thread; the same estimates whatever their number. False: no memory.
 bool final_gather_fill(Eye *const eyes[], int threads, int width, int height);
 

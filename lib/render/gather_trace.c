@@ -3,7 +3,7 @@
 #include "math/sample.h"
 #include "render/final_gather.h"
 
-const Material gather_white = {.name = "white", .type = MATERIAL_DIFFUSE, .diffuse = {1.0f, 1.0f, 1.0f}};
+static const Material white = {.name = "white", .type = MATERIAL_DIFFUSE, .diffuse = {1.0f, 1.0f, 1.0f}};
 
 // One channel of three stands for all.
 Colour gather_send(GatherTrace *trace, Ray ray, Rng *rng)
@@ -58,7 +58,7 @@ static Colour gather_again(GatherTrace *trace, const Hit *hit)
 {
     Eye *eye = trace->eye;
     Hit on_white = *hit;
-    on_white.material = &gather_white;
+    on_white.material = &white;
     eye->sampler.pixel = hash_u64(rng_u32(&eye->rng));
     Colour leaving = colour_add(direct_light(eye, &on_white, hit->normal), caustic_light(eye, &on_white, hit->normal));
     float u = rng_float(&eye->rng);

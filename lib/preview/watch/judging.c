@@ -108,8 +108,3 @@ const StepInfo *judging_poll(Judging *judging, Verdicts *verdicts)
     take_verdict(judging, verdicts);
     return &step_table[judging->step];
 }
-
-bool judging_is_busy(const Judging *judging)
-{
-    return judging->judge.pid > 0;
-}

@@ -16,6 +16,5 @@ void judging_want(Judging *judging, Verdicts *verdicts, size_t step, bool soon);
 
 // Never waits. The step that there is a verdict of now; NULL: none.
 const StepInfo *judging_poll(Judging *judging, Verdicts *verdicts);
-bool judging_is_busy(const Judging *judging);
 
 #endif

@@ -75,7 +75,7 @@ bool found_add_broken(Found *found, const char *path, const char *broken, Error 
     return add(found, path, NULL, 0, broken, error);
 }
 
-void found_free(Found *found)
+static void found_free(Found *found)
 {
     for (size_t i = 0; i < found->count; i++) {
         free(found->files[i].path);

@@ -47,7 +47,6 @@ bool found_is_archive(const char *name);
 bool found_add(Found *found, const char *path, char *bytes, size_t size, Error *error);
 bool found_add_broken(Found *found, const char *path, const char *broken, Error *error);
 bool found_count(Found *found, Error *error); // one more entry
-void found_free(Found *found);
 
 bool archive_find(const char *path, Found *found, Error *error);
 bool directory_find(const char *path, Found *found, Error *error);

@@ -1,9 +1,15 @@
 // Names the mistake that a failing step looks like, or none: a wrong name costs a student more than silence.
-#include "judge/grade/diagnosis.h"
+//
+// Known mistakes: tests/mistakes/features.txt, made by `make mistakes-table` from the a patches. Three lines an entry:
+//   STEP NAME                     "2.1 n_for_n_plus_1"; the name `right` is the solution
+//   what it looks like            completes "this looks like: …"
+//   CHECK:value:error …           the features in the order of the checks; values may be nan or inf
+#include "judge/grade/grade.h"
 #include "base/file.h"
 #include "judge/report/text.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,7 +24,19 @@
 #define AGREES  1.5
 #define CLEARLY 2.0
 
-void signature_add(Signature *signature, const char *check, Feature feature)
+typedef struct {
+    char check[32];
+    Feature feature;
+} NamedFeature;
+
+// What the checks of one step measured, one after the other.
+typedef struct {
+    char step[8], name[64], text[300];
+    NamedFeature *features;
+    int count, capacity;
+} Signature;
+
+static void signature_add(Signature *signature, const char *check, Feature feature)
 {
     if (signature->count == signature->capacity) {
         signature->capacity = signature->capacity ? 2 * signature->capacity : 64;
@@ -30,13 +48,13 @@ void signature_add(Signature *signature, const char *check, Feature feature)
     next->feature = feature;
 }
 
-void signature_free(Signature *signature)
+static void signature_free(Signature *signature)
 {
     free(signature->features);
     *signature = (Signature){.count = 0};
 }
 
-void signature_of(const StepResult *result, Signature *signature)
+static void signature_of(const StepResult *result, Signature *signature)
 {
     *signature = (Signature){.count = 0};
     snprintf(signature->step, sizeof signature->step, "%s", result->step->id);
@@ -64,7 +82,8 @@ static bool read_feature(char *word, Signature *signature)
     return true;
 }
 
-bool signature_read(FILE *stream, Signature *signature)
+// The next entry. False at the end of the file, or where an entry is broken.
+static bool signature_read(FILE *stream, Signature *signature)
 {
     static const char blanks[] = " \n";
     *signature = (Signature){.count = 0};
@@ -104,7 +123,8 @@ static double feature_distance(const Feature *a, const Feature *b)
     return fabs(a->value - b->value) / tolerance;
 }
 
-double signature_distance(const Signature *a, const Signature *b)
+// The worst feature, in tolerances: up to 1 they agree.
+static double signature_distance(const Signature *a, const Signature *b)
 {
     if (a->count != b->count)
         return INFINITY; // one of them left a check early

@@ -5,7 +5,7 @@
 
 #define MOST_PHOTONS 4096 // around a point
 
-PhotonColour probe_photon_colour(ProbeLine *line)
+static PhotonColour photon_colour(ProbeLine *line)
 {
     return (PhotonColour)probe_whole(line, WHITE, BLUE);
 }
@@ -54,7 +54,7 @@ bool read_glass_and_photon(ProbeLine *line, Given *given, Error *error)
     photon->position = probe_vec3(line);
     photon->direction = probe_vec3(line);
     photon->power = probe_colour(line);
-    photon->colour = probe_photon_colour(line);
+    photon->colour = photon_colour(line);
     photon->bounce = (int)probe_whole(line, 0, 1000);
     photon->path = (PhotonPath)probe_whole(line, PATH_DIRECT, PATH_INDIRECT);
     photon->from = (uint32_t)probe_whole(line, 0, 1000);

@@ -46,7 +46,6 @@ Reader read_estimates;
 void gather_given_renew(Given *given);
 void gather_given_free(Given *given);
 
-PhotonColour probe_photon_colour(ProbeLine *line);
 void given_renew(Given *given); // as it was read, for the next call
 void given_free(Given *given);
 
