@@ -2,7 +2,7 @@
 # Is the grader right? Run from the checkout: check_grader.sh quick|matrix|false-verdicts|write
 #
 #   quick            every known mistake, alternative, stub and solution once, at its own step; with HANDS=b only the second
-#                    patch of each mistake, with EVERY=9 one in nine of mistakes, alternatives and stubs (both: part of
+#                    patch of each mistake, with EVERY=18 one in eighteen of mistakes, alternatives and stubs (both: part of
 #                    `make check`); with ONLY='4.2|4.3_' the cases of these names alone
 #   matrix           the same with gcc and clang, -O0 and -O2, two salts, on one core and on two: same verdict, same points
 #   false-verdicts   right solutions over many salts, one round without confirmation: how often is one called wrong?

@@ -3,7 +3,7 @@
 
 ##check first check-grader-quick  is every known mistake caught, and named?
 check-grader-quick: judge
-	@$(if $(CHECK),HANDS=b EVERY=9) bash tests/check_grader.sh quick
+	@$(if $(CHECK),HANDS=b EVERY=18) bash tests/check_grader.sh quick
 
 ##check long check-grader  mistakes, alternatives, compilers, false verdicts (an hour)
 check-grader: judge
