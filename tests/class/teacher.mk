@@ -9,7 +9,7 @@ $(CLASS_UNPACK): $(call object,$(wildcard tests/class/unpack/*.c)) $(LIBRARY)
 $(CLASS_TABLE): $(call object,$(wildcard tests/class/table/*.c) tests/judge/grade/points.c $(REPORT_WORDS)) $(LIBRARY)
 	$(call link,-ljansson)
 
-.PHONY: class class-slurm class-alike check-alike handout gradescope class-tools check-class class-slurm-trial class-numbers
+.PHONY: class class-slurm class-alike check-alike handout gradescope class-tools check-class check-class-many class-slurm-trial class-numbers
 
 # What run_autograder compiles students' code with, where there is no make around it.
 $(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
@@ -60,6 +60,10 @@ gradescope: $(CLASS_TABLE)
 ##check beside check-class  submitting, updating, grading a small class, handout, autograder
 check-class: class-tools meshes
 	@bash tests/class/test_class.sh
+
+##check long check-class-many  200 submissions in a locale with a decimal comma, killed half-way and begun again; COUNT=20
+check-class-many: class-tools meshes
+	@COUNT=$(COUNT) bash tests/class/test_many.sh $(BUILD)
 
 ##check long class-slurm-trial  make class-slurm on a cluster of this one machine
 class-slurm-trial: class-tools
