@@ -142,7 +142,7 @@ beside() {
     mkdir -p "$work/code/${other%/*}"
     cp "$root/solutions/$other" "$work/code/$other"
     chmod 644 "$work/code/$other"
-    grade
+    grade --seconds 20 # right work on a busy machine
     if awk '/"id": "3.2"/ { here = 1 } here && /"status"/ { status = $2 } here && /"points":/ { points = $2; exit }
             END { exit !(status ~ /pass/ && points + 0 > 0) }' "$work/report/report.json"; then
         good "$1 leaves the points of the step beside it"
