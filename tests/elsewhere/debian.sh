@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The README's two commands on a system that has nothing yet, as a container for CI usually is: root without the rights to make
-# namespaces, a checkout that all can read, so no bubblewrap. Needs root. What was committed is tried. Usage: debian.sh BUILD SUITE
+# namespaces, a checkout that all can read, so no bubblewrap. Needs root. What was committed is tried. Usage: debian.sh
+# BUILD SUITE. TARGETS=check-class: these alone.
 set -eu
 suite=$2
 mkdir -p "$1/debian"
@@ -15,14 +16,13 @@ rm -rf "$suite" && mkdir "$suite" && tar -C "$suite" -xf "$suite.tar"
 git clone -q --no-hardlinks "$(git rev-parse --show-toplevel)" "$suite/photonlab"
 cp /etc/resolv.conf "$suite/etc/"
 
-cat >"$suite/commands" <<'END'
+cat >"$suite/commands" <<END
 set -eux
 umask 022
 apt-get -qq update
 apt-get -qq install -y --no-install-recommends ca-certificates git make procps >/dev/null
 cd /photonlab
-make setup demo
-make setup check
+for target in ${TARGETS:-demo check}; do make setup \$target; done
 END
 # The rights that Docker leaves to root; in a changed root no namespace for users can be made either.
 rights=-all

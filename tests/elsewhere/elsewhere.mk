@@ -26,7 +26,7 @@ JSONSCHEMA = $(BUILD)/tools/check-jsonschema-0.39.0
 check-ci: $(JSONSCHEMA) $(SHELLCHECK)
 	@bash tests/elsewhere/ci.sh $(JSONSCHEMA) $(SHELLCHECK)/bin/shellcheck
 
-##check long check-debian  make setup demo and make setup check in a bare container: SUITE=trixie (a quarter of an hour)
+##check long check-debian  make setup demo and make setup check in a bare container: SUITE=trixie [TARGETS=check-class] (a quarter of an hour)
 SUITE ?= trixie
 check-debian:
-	@bash tests/elsewhere/debian.sh $(BUILD) $(call quoted,$(SUITE))
+	@TARGETS="$(TARGETS)" bash tests/elsewhere/debian.sh $(BUILD) $(call quoted,$(SUITE))
