@@ -21,8 +21,8 @@ typedef struct FinalGather FinalGather;
 typedef struct {
     const Scene *scene;
     const RenderOptions *options;
-    const PhotonMap *caustic; // PHOTONS only
-    const PhotonMap *rest;    // PHOTONS: indirect; PHOTONS_ONLY: all
+    const PhotonMap *caustic; // PHOTONS, GATHER
+    const PhotonMap *rest;    // PHOTONS: indirect; PHOTONS_ONLY, GATHER: all
     Gather gather;
     RadianceCache caustic_cache, rest_cache; // estimates made in this tile
     FinalGather *final;                      // GATHER only

@@ -2,6 +2,11 @@
 
 #include "math/sample.h"
 #include "render/final_gather.h"
+#include "scene/material_kind.h"
+
+#define ALBEDO_PHOTONS 20
+#define SHARPEST       100.0f // exponent of a lobe that some of the gather rays still meet,
+#define CELL           0.12f  // each of which stands for this angle, √(2π/(MN))
 
 static const Material white = {.name = "white", .type = MATERIAL_DIFFUSE, .diffuse = {1.0f, 1.0f, 1.0f}};
 
@@ -48,9 +53,45 @@ float gather_distance(const GatherTrace *trace)
     return trace->distance;
 }
 
+// Something round, or too sharp, would be bright in single rays of many: it stays matt, and an estimate without blotches.
+static bool shows_lobe(const Eye *eye, const Hit *hit)
+{
+    if (!eye->rest || !material_kind(hit->material)->lobe || hit->primitive >= eye->scene->flat_count)
+        return false;
+    const Flat *flat = &eye->scene->flats[hit->primitive];
+    float wide = fminf(vec3_length(flat->edge_u), vec3_length(flat->edge_v));
+    return wide > CELL * hit->distance && hit->material->exponent <= SHARPEST;
+}
+
+// What a lobe sends this way hangs on where light comes from. A few photons tell: πf of each, weighed by its flux, which has
+// either sign with wavelengths.
+static Colour lobe_albedo(const GatherTrace *trace, Vec3 wo, const Hit *hit, Colour albedo)
+{
+    const Eye *eye = trace->eye;
+    Gather gather = eye->gather;
+    gather.k = gather.k < ALBEDO_PHOTONS ? gather.k : ALBEDO_PHOTONS;
+    float radius;
+    size_t found = gather_near(eye->rest, hit->position, &gather, &radius);
+    Colour sent = colour_grey(0.0f), arriving = colour_grey(0.0f);
+    for (size_t i = 0; i < found; i++) {
+        const StoredPhoton *photon = gather.near[i].photon;
+        if (&eye->scene->materials[photon->material] != hit->material || !stored_photon_on_side(photon, hit->normal))
+            continue;
+        Colour flux = {fabsf(photon->power.r), fabsf(photon->power.g), fabsf(photon->power.b)};
+        sent = colour_add(sent, colour_mul(flux, gather_brdf(&gather, hit, photon, wo)));
+        arriving = colour_add(arriving, flux);
+    }
+    for (int c = 0; c < 3; c++)
+        if (colour_channel(arriving, c) > 0.0f)
+            colour_set_channel(&albedo, c, PI * colour_channel(sent, c) / colour_channel(arriving, c));
+    return albedo;
+}
+
 Colour gather_albedo(const GatherTrace *trace, const Ray *ray, const Hit *hit)
 {
-    return material_albedo(hit->material, trace->eye->options->play.glossy, -vec3_dot(ray->direction, hit->normal));
+    Vec3 wo = vec3_negate(ray->direction);
+    Colour albedo = material_albedo(hit->material, trace->eye->options->play.glossy, vec3_dot(wo, hit->normal));
+    return shows_lobe(trace->eye, hit) ? lobe_albedo(trace, wo, hit, albedo) : albedo;
 }
 
 // Irradiance by lamps, caustics and one more ray, which no look-up blurs.

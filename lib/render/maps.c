@@ -39,11 +39,11 @@ static bool build_ends(const Scene *scene, const RenderOptions *options, PhotonP
 {
     PhotonArray places = {NULL, 0};
     bool ok = part(&pass->rest, &places) || error_set(error, "not enough memory for %zu photons", pass->rest.count);
-    PhotonMap *all = ok ? build_map(&pass->rest, error) : NULL;
-    if (all)
-        maps->ends = irradiance_map_build(scene, all, places.photons, places.count, (size_t)options->settings.k, error);
+    maps->rest = ok ? build_map(&pass->rest, error) : NULL;
+    if (maps->rest)
+        maps->ends =
+            irradiance_map_build(scene, maps->rest, places.photons, places.count, (size_t)options->settings.k, error);
     free(places.photons);
-    photon_map_free(all);
     return maps->ends != NULL;
 }
 
@@ -119,13 +119,15 @@ bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, Ren
     bool ok = !gathers || (build_ends(scene, options, &pass, maps, error) &&
                            add_caustics(scene, pass_options, &pass, stats, error));
     maps->caustic = ok ? build_map(&pass.caustic, error) : NULL;
-    maps->rest = maps->caustic && !gathers ? build_map(&pass.rest, error) : NULL;
+    if (maps->caustic && !gathers)
+        maps->rest = build_map(&pass.rest, error);
     stats->build_seconds = clock_seconds() - start;
     photon_pass_free(&pass);
-    if (!maps->caustic || !(maps->rest || gathers))
+    if (!maps->caustic || !maps->rest)
         return false;
-    stats->map_bytes =
-        photon_map_bytes(maps->caustic) + (gathers ? irradiance_map_bytes(maps->ends) : photon_map_bytes(maps->rest));
+    stats->map_bytes = photon_map_bytes(maps->caustic) + photon_map_bytes(maps->rest);
+    if (gathers)
+        stats->map_bytes += irradiance_map_bytes(maps->ends);
     return true;
 }
 

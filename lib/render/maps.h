@@ -7,7 +7,7 @@
 
 typedef struct {
     PhotonMap *caustic;  // PHOTONS, GATHER
-    PhotonMap *rest;     // PHOTONS: indirect; PHOTONS_ONLY: all
+    PhotonMap *rest;     // PHOTONS: indirect; PHOTONS_ONLY, GATHER: all
     IrradianceMap *ends; // GATHER: light where gather rays end
 } Maps;
 

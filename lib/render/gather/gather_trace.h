@@ -20,7 +20,8 @@ float gather_distance(const GatherTrace *trace);
 // too few on one side, it is gathered once more.
 Colour gather_irradiance(GatherTrace *trace, const Hit *hit);
 
-// Share of light that a surface sends back, which a gather ray sees as if it were matt.
+// Share ρ of the light that a surface sends back against the ray, so that ρE/π is right: of a broad lobe on something flat by how
+// light falls in there, elsewhere as if it were matt.
 Colour gather_albedo(const GatherTrace *trace, const Ray *ray, const Hit *hit);
 
 // An estimate carried along its gradients to another place and normal, W/m²; bounded, so that no straight line is trusted
