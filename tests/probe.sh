@@ -62,6 +62,10 @@ b=$(probe 2.1 "$work/none" "call 3 7 20")
 c=$(probe 2.1 "$work/none" "call 3 8 20")
 if [ -n "$a" ] && [ "$a" = "$b" ] && [ "$a" != "$c" ]; then good "seeds decide the numbers"; else bad "seeds: $a | $b | $c"; fi
 
+# The limit by the clock is for what waits: a step at work goes on beyond it.
+at_work=$(PHOTONLAB_PROBE_SECONDS=0.05 probe 2.1 "$work/none" "call 400000 7 20" | wc -w)
+check "$at_work == 1200002" "a step at work is not ended by the clock"
+
 # Step 2.3 gives a sixth number: did it call redraw_cap_reached()? The lobe here lies 5° below the surface.
 caps=$(probe 2.3 "$solutions" "call 40 1 0.9961947 0 0.08715574 0 0 1 10000" | cut -d: -f2 |
     awk '{ for (i = 1; i < NF; i += 6) { if ($i + $(i + 5) != 1) wrong++; caps += $(i + 5) }; print NF, wrong + 0, (caps > 5 && caps < 35) }')

@@ -32,7 +32,8 @@ typedef struct {
     const char *writable;            // a directory that it may write to; NULL: none
     int result_fd;                   // becomes its descriptor 3; −1: none
     bool compiler;                   // may start processes and write files, as compilers do
-    double cpu_seconds, wall_seconds;
+    double cpu_seconds;
+    double wall_seconds;     // that it may wait without any processor time; ten times as long in all
     long memory_mb, file_mb; // memory 0: no limit (AddressSanitizer)
 } SandboxRun;
 

@@ -34,6 +34,18 @@ typedef struct {
 char *sandbox_find_program(const char *name);
 #define SANDBOX_PATH "/usr/local/bin:/usr/bin:/bin"
 
+// Seconds, from some time on.
+double sandbox_now(void);
+
+// A program at work: since when, when to look at it again, and what processor time it had had at the last look.
+typedef struct {
+    double begin, deadline; // s
+    unsigned long ticks;
+} Waiting;
+
+// Has it waited for wall_seconds, without any processor time? Or taken ten times as long.
+bool sandbox_waits_too_long(pid_t child, const SandboxRun *run, Waiting *waiting);
+
 // What the child could not do, on its way to the parent.
 typedef struct {
     char what[160], path[512];

@@ -9,17 +9,9 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #define GRACE 1.0 // s from the probe's own alarm to the end by force
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 #define KEPT (sizeof((SandboxResult *)NULL)->text - 1)
 #define HEAD (KEPT / 2) // of it, for the beginning
@@ -82,7 +74,8 @@ static void read_state(SandboxResult *result)
 
 void sandbox_watch(pid_t child, int out, const SandboxRun *run, SandboxResult *result)
 {
-    double begin = now(), deadline = begin + run->wall_seconds + GRACE;
+    double begin = sandbox_now();
+    Waiting waiting = {begin, begin + run->wall_seconds + GRACE, 0};
     size_t used = 0;
     bool more = true, ended = false;
     int state = 0;
@@ -95,7 +88,7 @@ void sandbox_watch(pid_t child, int out, const SandboxRun *run, SandboxResult *r
         // WNOWAIT: not reaped yet. Until then its number, which is its group's, too, is given to nobody else, and the kill
         // below ends no stranger.
         ended = waitid(P_PID, (id_t)child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
-        result->timed_out = !ended && now() > deadline;
+        result->timed_out = !ended && sandbox_waits_too_long(child, run, &waiting);
     }
     kill(-child, SIGKILL);
     kill(child, SIGKILL);
@@ -103,13 +96,13 @@ void sandbox_watch(pid_t child, int out, const SandboxRun *run, SandboxResult *r
         continue;
     // Reads what is still in the pipe. It ends when the last process that holds it does; a process that left the group may
     // hold it for ever, so not for long.
-    for (deadline = now() + GRACE; more && now() < deadline;) {
+    for (double deadline = sandbox_now() + GRACE; more && sandbox_now() < deadline;) {
         struct pollfd wait = {out, POLLIN, 0};
         if (poll(&wait, 1, 50) > 0)
             more = read_some(out, result, &used);
     }
     mark_gap(result);
-    result->wall_seconds = now() - begin;
+    result->wall_seconds = sandbox_now() - begin;
     result->cpu_seconds = (double)usage.ru_utime.tv_sec + (double)usage.ru_stime.tv_sec +
                           1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
     result->exit_code = WIFEXITED(state) ? WEXITSTATUS(state) : -1;

@@ -1,6 +1,7 @@
 // What test_sandbox does in the sandbox: what may be done there, and what an attacker would try.
 #define _GNU_SOURCE // syscall
 #include "judge/sandbox/test/inside.h"
+#include "judge/sandbox/sandbox_parts.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -10,6 +11,7 @@
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
+#include <time.h>
 #include <unistd.h>
 
 static int print_much(size_t bytes)
@@ -45,6 +47,15 @@ static int can_read_command_line(void)
     return can_read(path);
 }
 
+// A processor now and then, as on a busy machine: for 3 s.
+static int work_now_and_then(void)
+{
+    for (double end = sandbox_now() + 3.0; sandbox_now() < end; usleep(250000))
+        for (clock_t enough = clock() + CLOCKS_PER_SEC / 50; clock() < enough;)
+            continue;
+    return 0;
+}
+
 static int go_on_behind(void)
 {
     signal(SIGHUP, SIG_IGN);
@@ -66,6 +77,8 @@ int inside(const char *what, const char *path)
             continue;
     if (strcmp(what, "sleep") == 0)
         return (int)sleep(300);
+    if (strcmp(what, "now and then") == 0)
+        return work_now_and_then();
     if (strcmp(what, "closed") == 0)
         return close(1), close(2), (int)sleep(1);
     if (strcmp(what, "memory") == 0)

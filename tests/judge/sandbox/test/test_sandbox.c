@@ -156,6 +156,7 @@ static const Case everywhere[] = {
      {.cpu_seconds = 1, .wall_seconds = NO_WALL}},
     {"ends an endless loop", "spin", NULL, -1, 0, takes_its_second, {.cpu_seconds = 1, .wall_seconds = NO_WALL}},
     {"ends one that waits for ever", "sleep", NULL, -1, 0, times_out, {.wall_seconds = 0.5}},
+    {"lets one go on that gets a processor now and then", "now and then", NULL, 0, 0, NULL, {.wall_seconds = 1}},
     {"waits for one that closed its output", "closed", NULL, 0, 0, is_waited_for, {0}},
     {"refuses memory beyond the limit", "memory", NULL, 77, 0, NULL, {0}},
     {"tells of a signal", "abort", NULL, -1, 0, NULL, {0}},
