@@ -73,7 +73,7 @@ void judge_furnace(const Results *results, Finding *finding)
                  "stored as direct from the light (a photon that bounces is the same photon: it must keep what it is)");
     expect_even(&c, 1);
     expect_even(&c, 2);
-    expect_value(&c, c.batch.escaped[0], 0.0, furnace_power[0], "W of red to leave a closed ball");
+    expect_value(&c, c.batch.escaped[0], 0.0, furnace_power[0], "W of the 3e-08 W of red to leave a closed ball");
     expect_books(&c);
 }
 

@@ -44,7 +44,7 @@ static void expect_spot(PathCase *c, const Onward *onward, const char *kind)
             finding_fail(c->finding, c->number,
                          "expected photons to fly on from where they landed; found them starting elsewhere");
     }
-    expect_value(c, c->batch.escaped[0], 0.0, 3.0, "W of red to leave a closed ball");
+    expect_value(c, c->batch.escaped[0], 0.0, 3.0, "W of the 3 W of red to leave a closed ball");
     expect_books(c);
 }
 

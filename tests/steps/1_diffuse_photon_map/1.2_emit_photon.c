@@ -132,13 +132,16 @@ static void judge_place(const Results *results, Finding *finding)
             sums_add(&uv, (place.x - 0.5) * (place.y - 0.5));
             sums_add(&off, !is_on_light(place));
         }
-        for (int b = 0; b < SIDE * SIDE; b++)
+        double fewest = INFINITY, most = 0.0;
+        for (int b = 0; b < SIDE * SIDE; b++) {
             expected[b] = u.count / (SIDE * SIDE);
+            fewest = fmin(fewest, observed[b] / expected[b]);
+            most = fmax(most, observed[b] / expected[b]);
+        }
         finding_p(finding, u.count > 0.0 ? chi_square_p(observed, expected, SIDE * SIDE) : 1.0, i,
                   "expected positions spread evenly over the light; their means along the edges should be 0.5 and 0.5, "
-                  "found %.4f and %.4f, in 10×10 cells from %g to %g times the expected, for %s",
-                  sums_mean(&u), sums_mean(&v), observed[0] / expected[0], observed[SIDE * SIDE - 1] / expected[0],
-                  l.inputs);
+                  "found %.4f and %.4f, in 10×10 cells from %.3g to %.3g times the expected, for %s",
+                  sums_mean(&u), sums_mean(&v), fewest, most, l.inputs);
         mean_feature(&u, 0.5, finding);
         mean_feature(&v, 0.5, finding);
         mean_feature(&off, 0.0, finding);
@@ -190,8 +193,8 @@ static void judge_direction(const Results *results, Finding *finding)
         finding_p(
             finding, directions_p(&count, &expected), i,
             "expected directions of density cosθ/π about the light's normal; the mean of cosθ should be %.4f, found "
-            "%.4f, for %s",
-            expected.along, sums_mean(&count.along), l.inputs);
+            "%.4f, and the mean across the normal (0, 0), found (%.4f, %.4f), for %s",
+            expected.along, sums_mean(&count.along), sums_mean(&count.across), sums_mean(&count.up), l.inputs);
         finding_p(finding, count.along.count > 0.0 ? chi_square_p(joint, even, COARSE) : 1.0, i,
                   "expected directions that do not depend on the position; found that they do, for %s: "
                   "is a random number used twice?",
