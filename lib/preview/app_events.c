@@ -44,10 +44,30 @@ static void on_character(Window *window, unsigned character)
     app_key(app, key == '=' ? '+' : key); // one key on many keyboards
 }
 
+// The mouse comes in units of the screen, of which a fine display has fewer than pixels.
+static void pixels_of(App *app, double *x, double *y)
+{
+    int width, height;
+    glfw.glfwGetWindowSize(app->window, &width, &height);
+    *x *= width > 0 ? (double)app->width / width : 0.0;
+    *y *= height > 0 ? (double)app->height / height : 0.0;
+}
+
+static int step_under_mouse(App *app)
+{
+    double x = app->mouse_x, y = app->mouse_y;
+    pixels_of(app, &x, &y);
+    return app->session.coach.judging ? panel_step_at(app->canvas, &app->view, (float)x, (float)y) : -1;
+}
+
 static void on_button(Window *window, int button, int action, int modifiers)
 {
     App *app = app_of(window);
-    if (action == GLFW_PRESS && app->button < 0 && button <= GLFW_MOUSE_BUTTON_MIDDLE) {
+    int step = action == GLFW_PRESS && button == GLFW_MOUSE_BUTTON_LEFT ? step_under_mouse(app) : -1;
+    if (step >= 0) {
+        session_show_step(&app->session, coach_go_to(&app->session.coach, (size_t)step));
+        app->dirty = true;
+    } else if (action == GLFW_PRESS && app->button < 0 && button <= GLFW_MOUSE_BUTTON_MIDDLE) {
         app->button = button;
         app->drag_shift = modifiers & GLFW_MOD_SHIFT;
     } else if (action == GLFW_RELEASE && button == app->button) {
@@ -67,7 +87,6 @@ static void drag(App *app, float right, float down)
     app_moved(app);
 }
 
-// The mouse comes in units of the screen, of which a fine display has fewer than pixels.
 static void on_movement(Window *window, double x, double y)
 {
     App *app = app_of(window);
@@ -76,10 +95,9 @@ static void on_movement(Window *window, double x, double y)
     app->mouse_x = x;
     app->mouse_y = y;
     app->mouse_known = true;
-    int width, height;
-    glfw.glfwGetWindowSize(window, &width, &height);
-    if (app->button >= 0 && known && width > 0 && height > 0)
-        drag(app, (float)(right * app->width / width), (float)(down * app->height / height));
+    pixels_of(app, &right, &down);
+    if (app->button >= 0 && known)
+        drag(app, (float)right, (float)down);
 }
 
 // Away from the user: nearer to the scene.

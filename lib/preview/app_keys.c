@@ -32,6 +32,7 @@ static void save_snapshot(App *app)
     }
     snapshot_command(&app->session, command, sizeof command);
     printf("%s\n    %s\n", path, command);
+    snprintf(app->session.build, sizeof app->session.build, "saved: %s", path);
 }
 
 // The desktop's own way to open a page; without one, where it lies.
@@ -132,7 +133,7 @@ static void look_as_at_first(App *app)
 
 static void next_step(App *app)
 {
-    session_next_step(&app->session);
+    session_show_step(&app->session, coach_next(&app->session.coach));
 }
 
 static void hint(App *app)
@@ -188,10 +189,11 @@ static const struct {
     void (*act)(App *app);
     size_t toggle; // or what it turns on and off: a bool of the App
     int keys[4];
-    bool beside; // on the line of the one before
-    bool held;   // goes on while it is held; the others would flicker
+    bool held; // goes on while it is held; the others would flicker
     void (*list)(char *text, size_t size);
 } KEYS[] = {
+    {"n", "the next step that is not right; a click on a step goes to it", next_step, .keys = {'n'}},
+    {"?", "a hint for this step, each tells more", hint, .keys = {'?'}},
     {.list = list_views},
     {"c", "colour by power, photon, bounce, material", next_colour, .keys = {'c'}},
     {"b", "the reference beside yours", .toggle = offsetof(App, view.split), .keys = {'b'}},
@@ -201,21 +203,19 @@ static const struct {
      .list = list_choices},
     {"mouse", "left: turn. right: move. wheel: near, far", NULL, .keys = {0}},
     {"f", "frame the scene", frame_all, .keys = {'f'}},
-    {"0", "the scene's camera", look_as_at_first, .keys = {'0'}, .beside = true},
+    {"0", "the scene's camera", look_as_at_first, .keys = {'0'}},
     {"space", "slow light: photons in order of flight", toggle_flight_where_it_shows, .keys = {' '}},
     {"+ -", "more, fewer photons", change_photons, .keys = {'+', '-'}},
-    {"r", "another seed", change_seed, .keys = {'r'}, .beside = true},
-    {"t", "the panel", toggle_panel, .keys = {'t'}, .beside = true},
-    {"p", "render what you see, by your code", toggle_render, .keys = {'p'}},
-    {"i", "how: photons, gathered, by passes", next_way, .keys = {'i'}, .beside = true},
-    {"w", "wireframe", .toggle = offsetof(App, view.wireframe), .keys = {'w'}},
-    {"s", "snapshot", save_snapshot, .keys = {'s'}, .beside = true},
-    {"o", "report", open_report, .keys = {'o'}, .beside = true},
-    {", .", "darker, brighter", change_exposure, .keys = {',', '.'}, .beside = true, .held = true},
-    {"n", "the next step", next_step, .keys = {'n'}},
-    {"?", "a hint for this one, each tells more", hint, .keys = {'?'}, .beside = true},
+    {"r", "another seed", change_seed, .keys = {'r'}},
+    {"t", "the panel, on and off", toggle_panel, .keys = {'t'}},
+    {"p", "render what you see, by your code, or end that", toggle_render, .keys = {'p'}},
+    {"i", "render another way: from photons, gathered, by passes", next_way, .keys = {'i'}},
+    {"w", "the scene's edges, on and off", .toggle = offsetof(App, view.wireframe), .keys = {'w'}},
+    {"s", "save what you see as a picture", save_snapshot, .keys = {'s'}},
+    {"o", "open the last report", open_report, .keys = {'o'}},
+    {", .", "darker, brighter", change_exposure, .keys = {',', '.'}, .held = true},
     {"h", "this list", .toggle = offsetof(App, view.help), .keys = {'h'}},
-    {"q, esc", "quit", quit, .keys = {'q', GLFW_KEY_ESCAPE}, .beside = true},
+    {"q, esc", "quit", quit, .keys = {'q', GLFW_KEY_ESCAPE}},
 };
 enum { KEY_COUNT = sizeof KEYS / sizeof *KEYS };
 
@@ -225,11 +225,11 @@ const char *app_key_list(void)
     if (text[0])
         return text;
     for (int i = 0; i < KEY_COUNT; i++) {
-        text_append(text, sizeof text, "%s", KEYS[i].beside ? "    " : i > 0 ? "\n" : "");
+        text_append(text, sizeof text, "%s", i > 0 ? "\n" : "");
         if (KEYS[i].list)
             KEYS[i].list(text, sizeof text);
         else
-            text_append(text, sizeof text, KEYS[i].beside ? "%s  %s" : "%s\t%s", KEYS[i].shown, KEYS[i].words);
+            text_append(text, sizeof text, "%s\t%s", KEYS[i].shown, KEYS[i].words);
     }
     return text;
 }

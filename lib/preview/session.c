@@ -77,14 +77,15 @@ static bool poll_watch(Session *session)
     if (event == WATCH_BUILDING) // else nothing to see: drawing would only take the compiler's time
         return session_is_faulty(session);
     snprintf(session->build, sizeof session->build, "%s", watch_message(session->watch));
+    snprintf(session->warning, sizeof session->warning, "%s", watch_warning(session->watch));
     if (event == WATCH_FAILED) {
         session->fault[0] = '\0'; // the same mistake after another save is told again
+        session->behind = true;
         fault(session, session->build);
         coach_note_broken(&session->coach, watch_step(session->watch), session->build);
         return true;
     }
     puts(session->build);
-    snprintf(session->warning, sizeof session->warning, "%s", watch_warning(session->watch));
     if (session->warning[0])
         puts(session->warning);
     rebuilt(session);
@@ -119,6 +120,7 @@ static void take_photons(Session *session, const RunStatus *status)
     printf("%zu photons stored of %ld emitted, %.2f s after the %s\n", recording->count, recording->emitted,
            clock_seconds() - session->asked_at, session->asked_by);
     session->answered = true;
+    session->behind = false;
 }
 
 // The first photons of a run that takes its time.
@@ -131,6 +133,16 @@ static bool look_at_coming(Session *session)
     session->coming = session->answered = true;
     session->next_look = clock_seconds() + NEXT_LOOK;
     return true;
+}
+
+// While a file does not compile, what was built before goes on, and may fail as well.
+static void run_failed(Session *session, RunKind kind, int player, const char *failure)
+{
+    const char *broken = session->watch ? watch_broken(session->watch) : "";
+    char text[sizeof session->fault];
+    snprintf(text, sizeof text, "%s%s%s", broken, broken[0] ? "\nas it was before: " : "", failure);
+    fault(session, text);
+    session->behind = session->behind || (kind == RUN_PHOTONS && player == YOURS);
 }
 
 static bool poll_run(Session *session, RunKind kind, int player)
@@ -149,7 +161,7 @@ static bool poll_run(Session *session, RunKind kind, int player)
     session->coming = session->coming && !of_yours;
     session->have[kind][player] = true; // a failure, too: it would fail again at once
     if (status.state == RUN_FAILED)
-        fault(session, status.failure);
+        run_failed(session, kind, player, status.failure);
     else if (kind == RUN_PHOTONS)
         view_data_record(session->data[player], run_take_recording(*run));
     else

@@ -58,6 +58,7 @@ typedef struct {
     char warning[300];      // what the compiler warned of in it; "": nothing
     char scene_fault[1000]; // why its file cannot be read; "": it can
     char notice[960];       // what right steps never do
+    bool behind;            // what is shown is of an earlier save than the last
 } Session;
 
 // Asks for the first photons at once, unless options->given are to be shown.
@@ -105,8 +106,8 @@ void session_next_way(Session *session);
 // The student's data as they are to be shown now.
 ViewData *session_yours(const Session *session);
 
-// On to the next step that is not right.
-void session_next_step(Session *session);
+// It is the present step now: shows the scene of its stage. NULL: there is none.
+void session_show_step(Session *session, const StepInfo *step);
 
 // Draws this view, of both if it is split, with the words that the session has for it. `help`: the list of keys, or NULL.
 void session_draw(const Session *session, const View *view, const char *help);

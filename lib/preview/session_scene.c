@@ -105,9 +105,8 @@ bool session_look_at_scene(Session *session)
     return (changed || session->scene_fault[0]) && take_scene(session);
 }
 
-void session_next_step(Session *session)
+void session_show_step(Session *session, const StepInfo *step)
 {
-    const StepInfo *step = coach_next(&session->coach);
     if (!step)
         return;
     if (session->stage > 0 && step->stage != session->stage) { // each has a scene in which its steps show

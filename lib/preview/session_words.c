@@ -50,7 +50,7 @@ static void list_status(const Session *session, char *text, size_t size)
         text_append(text, size, "%ld photons, %zu stored, up to %d bounces", recording->emitted, recording->count,
                     recording->bounces);
     if (session->timed && recording->emitted > 0)
-        text_append(text, size, ", %.2f s", recording->seconds);
+        text_append(text, size, ", %.2f\u00a0s", recording->seconds);
     if (session->coach.judging) { // the panel has the rest
         list_steps(recording, true, false, " | built, not played: ", text, size);
     } else if (session->options->code) {
@@ -61,10 +61,10 @@ static void list_status(const Session *session, char *text, size_t size)
     } else {
         text_append(text, size, " | the reference plays");
     }
-    if (session->building || session->build[0])
+    if (session->building || (session->build[0] && strcmp(session->build, session->fault) != 0)) // the banner has it
         text_append(text, size, " | %s", session->building ? "building" : session->build);
     if (session->timed)
-        text_append(text, size, " | h: keys");
+        text_append(text, size, "\n%sh: keys", session->coach.judging ? "n: next step   ?: hint   " : "");
 }
 
 bool session_is_faulty(const Session *session)
@@ -75,7 +75,9 @@ bool session_is_faulty(const Session *session)
 // What is wrong, a line each: of the scene, the fault, what the compiler warned of, what right steps never do. "": nothing.
 static void list_faults(const Session *session, char *text, size_t size)
 {
-    const char *const lines[] = {session->scene_fault, session->fault, session->warning, session->notice};
+    bool behind = session->behind && session->fault[0] && view_data_recording(session_yours(session))->emitted > 0;
+    const char *const lines[] = {session->scene_fault, session->fault, session->warning,
+                                 behind ? "The photons are still those of the save before." : session->notice};
     text[0] = '\0';
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         if (lines[i][0])

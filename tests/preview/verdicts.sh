@@ -22,6 +22,8 @@ check_verdicts() {
     picture_now fails
     key n
     told "n: on to a step that is not right" 'the present step: .*/1\.2_emit_photon\.c' 5
+    xdotool mousemove 951 35 click 1
+    told "a click on a step goes to it" 'the present step: .*/1\.3_scatter_diffuse\.c' 5
     save $reflect <solutions/$reflect
     told "and again, when it is right" 'judged: 1\.1 ✓' 30 "$(lines_of 'judged: 1\.1 ✓')"
     picture_now passes

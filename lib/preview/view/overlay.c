@@ -8,15 +8,17 @@
 
 static size_t fitting(const char *text, float scale, float width)
 {
-    size_t end = strcspn(text, "\n"), space = 0;
+    size_t end = strcspn(text, "\n"), space = 0, slash = 0;
     char line[512];
     for (size_t i = 0; i < end && i + 1 < sizeof line; i++) {
         line[i] = text[i];
         line[i + 1] = '\0';
         if (canvas_text_width(scale, line) > width)
-            return space ? space : i ? i : 1;
+            return space ? space : slash ? slash : i ? i : 1;
         if (text[i] == ' ')
             space = i;
+        if (text[i] == '/') // a path is long, and has no blanks
+            slash = i + 1;
     }
     return end < sizeof line ? end : sizeof line - 1;
 }
@@ -72,9 +74,10 @@ static void draw_plate(Canvas *canvas, float x, float y, float scale, Rgba ink, 
     canvas_text(canvas, x + margin, y + margin, scale, ink, text);
 }
 
-static void draw_help(Canvas *canvas, float scale, const char *text)
+// Over the picture, so that the panel can still be read.
+static void draw_help(Canvas *canvas, const View *view, float scale, const char *text)
 {
-    float across = (float)canvas_width(canvas), down = (float)canvas_height(canvas);
+    float across = (float)view_area(canvas, view).width, down = (float)canvas_height(canvas);
     while (scale > 0.6f && (canvas_text_width(scale, text) + 3.0f * MARGIN * scale > across ||
                             text_height(text, scale) + 3.0f * MARGIN * scale > down))
         scale -= 0.1f;
@@ -102,5 +105,5 @@ void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const
         draw_title(canvas, &area, 0.75f, scale, "reference");
     }
     if (view->help && captions->help)
-        draw_help(canvas, scale, captions->help);
+        draw_help(canvas, view, scale, captions->help);
 }

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -60,13 +61,37 @@ static void write_legend(Column *column, const View *view, const ViewData *data)
     }
 }
 
+#define MOST_IN_STAGE 6
+
+// The column's place on the canvas.
+static Column column_of(Canvas *canvas, const View *view)
+{
+    Area area = view_area(canvas, view);
+    float left = (float)(area.left + area.width), scale = view_scale(canvas, view), margin = MARGIN * EM * scale;
+    float width = (float)canvas_width(canvas) - left, height = (float)canvas_height(canvas);
+    return (Column){canvas, left + margin, width - 2.0f * margin, margin, height - 0.5f * margin, scale};
+}
+
+int panel_step_at(Canvas *canvas, const View *view, float x, float y)
+{
+    Column column = column_of(canvas, view);
+    float place = floorf(MOST_IN_STAGE * (x - column.left) / column.width);
+    float row = floorf((y - column.y) / line_height(&column));
+    for (int i = 0, first = 0; i < STEP_COUNT && view->panel > 0.0f; i++) {
+        first = i > 0 && step_table[i].stage != step_table[i - 1].stage ? i : first;
+        if (row == (float)(step_table[i].stage - step_table[0].stage) && place == (float)(i - first))
+            return i;
+    }
+    return -1;
+}
+
 // A mark for each step, a line a stage.
 static void write_marks(Column *column, const Verdicts *verdicts)
 {
     static const Rgba INKS[VERDICT_STATES] = {[VERDICT_PASS] = {120, 220, 130, 255},
                                               [VERDICT_FAIL] = {255, 120, 105, 255},
                                               [VERDICT_ERROR] = {255, 120, 105, 255}};
-    float cell = column->width / 6.0f, high = line_height(column);
+    float cell = column->width / MOST_IN_STAGE, high = line_height(column);
     for (size_t i = 0, place = 0; i < STEP_COUNT; i++, place++) {
         const Verdict *verdict = &verdicts->steps[i];
         if (i > 0 && step_table[i].stage != step_table[i - 1].stage) {
@@ -91,11 +116,11 @@ static void write_verdict(Column *column, const Verdict *verdict)
     bool wrong = verdict->state == VERDICT_FAIL || verdict->state == VERDICT_ERROR;
     Rgba ink = verdict->old ? DIM : COLOUR_OF_TEXT;
     char text[1200];
-    if (verdict->state == VERDICT_TODO)
+    if (verdict->state == VERDICT_TODO && !verdict->judged_now)
         write_words(column, DIM, NO_PLATE, 2, "not started: take away the line with todo(), and write");
     if (wrong || verdict->state == VERDICT_SKIP)
         write_words(column, ink, NO_PLATE, 9, verdict->message);
-    if (wrong && verdict->where[0]) {
+    if (wrong && !strstr(verdict->message, verdict->where)) {
         snprintf(text, sizeof text, "in %s", verdict->where);
         write_words(column, DIM, NO_PLATE, 2, text);
     }
@@ -107,19 +132,20 @@ static void write_verdict(Column *column, const Verdict *verdict)
         write_words(column, DIM, NO_PLATE, 1, "being judged ..");
 }
 
-// How the steps are, and the present one in words.
-static void write_steps(Column *column, const Captions *captions)
+// The present step in words.
+static void write_step(Column *column, const Captions *captions)
 {
     const Verdicts *verdicts = captions->verdicts;
     const StepInfo *step = &step_table[verdicts->present], *next = &step_table[verdicts_next(verdicts)];
     const Verdict *verdict = &verdicts->steps[verdicts->present];
     char text[400];
-    write_marks(column, verdicts);
     snprintf(text, sizeof text, "%s %s %s", verdict_marks[verdict->state], step->id, step->title);
     write_words(column, COLOUR_OF_TEXT, (Rgba){0, 0, 0, 0}, 2, text);
     snprintf(text, sizeof text, "%s/%s.c", captions->source, step->file);
     write_words(column, DIM, (Rgba){0, 0, 0, 0}, 2, text);
     write_verdict(column, verdict);
+    if (step->pass == EYE_PASS)
+        write_words(column, DIM, (Rgba){0, 0, 0, 0}, 2, "it plays in pictures: p renders one");
     if (verdict->state == VERDICT_PASS && verdicts_all_right(verdicts))
         snprintf(text, sizeof text, "All steps are right! make report, make finale");
     else if (verdict->state == VERDICT_PASS && !verdict->judged_now)
@@ -145,19 +171,19 @@ static void write_status(Column *column, const char *status)
 
 void panel_draw(Canvas *canvas, const View *view, const ViewData *yours, const Captions *captions)
 {
-    Area area = view_area(canvas, view);
-    float left = (float)(area.left + area.width), scale = view_scale(canvas, view), margin = MARGIN * EM * scale;
-    float width = (float)canvas_width(canvas) - left, height = (float)canvas_height(canvas);
-    canvas_rectangle(canvas, left, 0, width, height, PLATE);
-    Column column = {canvas, left + margin, width - 2.0f * margin, margin, height - 0.5f * margin, scale};
+    Column column = column_of(canvas, view);
+    float left = column.left - column.y; // the margin is the same on all sides
+    canvas_rectangle(canvas, left, 0, (float)canvas_width(canvas) - left, (float)canvas_height(canvas), PLATE);
     write_status(&column, captions->status);
+    if (captions->verdicts)
+        write_marks(&column, captions->verdicts);
     if (captions->banner && captions->banner[0]) {
         Rgba plate = captions->banner_is_old ? (Rgba){58, 62, 70, 255} : (Rgba){120, 16, 20, 255};
         write_words(&column, captions->banner_is_old ? DIM : (Rgba){255, 235, 230, 255}, plate, 10, captions->banner);
         leave_space(&column);
     }
     if (captions->verdicts)
-        write_steps(&column, captions);
+        write_step(&column, captions);
     char text[1024] = "";
     if (captions->pictures[0].rgba)
         text_append(text, sizeof text, "%s", captions->rendered);

@@ -106,6 +106,9 @@ static inline float view_brightness(const View *view)
 #define NARROW_PANEL 21.0f // ems
 #define WIDE_PANEL   30.0f
 
+// Whose mark in the panel stands at this pixel; −1: no step's.
+int panel_step_at(Canvas *canvas, const View *view, float x, float y);
+
 // The pixels of the canvas that the picture has, beside the panel.
 typedef struct {
     int left, top, width, height;

@@ -81,12 +81,17 @@ bool coach_poll(Coach *coach)
     return true;
 }
 
-const StepInfo *coach_next(Coach *coach)
+const StepInfo *coach_go_to(Coach *coach, size_t step)
 {
     if (!coach->judging)
         return NULL;
-    choose_step(coach, verdicts_next(&coach->verdicts));
-    return &step_table[coach->verdicts.present];
+    choose_step(coach, step);
+    return &step_table[step];
+}
+
+const StepInfo *coach_next(Coach *coach)
+{
+    return coach_go_to(coach, verdicts_next(&coach->verdicts));
 }
 
 void coach_hint(Coach *coach)

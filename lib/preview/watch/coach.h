@@ -24,7 +24,8 @@ void coach_note_broken(Coach *coach, const StepInfo *step, const char *message);
 // True: there is a verdict, which the terminal is told.
 bool coach_poll(Coach *coach);
 
-// On to the next step that is not right; NULL where nobody judges. A hint for the present one; each call tells more.
+// On to this step; to the next that is not right. NULL where nobody judges. A hint for the present one; each call tells more.
+const StepInfo *coach_go_to(Coach *coach, size_t step);
 const StepInfo *coach_next(Coach *coach);
 void coach_hint(Coach *coach);
 

@@ -155,7 +155,9 @@ TEST(words_fit)
             assert_int_equal(lines, counted);
             assert_true(lines <= most);
         }
-    char small[16];
+    char small[16], path[] = "exercises/1_diffuse_photon_map/1.6_estimate_radiance.c", wrapped[64];
+    assert_int_equal(overlay_wrap(path, 1, 388, 3, wrapped, sizeof wrapped), 2);
+    assert_string_equal(strchr(wrapped, '\n'), "\n1.6_estimate_radiance.c");
     overlay_wrap(text, 1, 388, 3, small, sizeof small);
     assert_true(strlen(small) < sizeof small);
 }
@@ -222,6 +224,21 @@ static void check_plate(Canvas *canvas, const View *view, ViewData *data, Captio
     free(bytes);
 }
 
+// Pixel by pixel, each step has a place in the panel, and none has one over the picture.
+static void check_places(Canvas *canvas, const View *view)
+{
+    bool met[STEP_COUNT] = {false};
+    int width = view_area(canvas, view).width, count = 0;
+    for (int y = 0; y < canvas_height(canvas); y++)
+        for (int x = 0; x < canvas_width(canvas); x++) {
+            int step = panel_step_at(canvas, view, (float)x, (float)y);
+            assert_true(step < STEP_COUNT && (step < 0 || x >= width));
+            count += step >= 0 && !met[step];
+            met[step < 0 ? 0 : step] |= step >= 0;
+        }
+    assert_int_equal(count, STEP_COUNT);
+}
+
 // Every view at the smallest size; points as bright whether a tenth or all of them is drawn.
 TEST(every_view_draws)
 {
@@ -258,6 +275,7 @@ TEST(every_view_draws)
     view.panel = 20;
     captions.banner = "1.3_scatter_diffuse.c:14: scatter_diffuse: segmentation fault, wrapped because it is long";
     check_plate(canvas, &view, data, &captions);
+    check_places(canvas, &view);
     view.wireframe = view.split = view.help = true;
     for (int kind = 0; kind < VIEW_COUNT; kind++)
         for (int colour = 0; colour < COLOUR_COUNT; colour++) {
