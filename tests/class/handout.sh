@@ -47,7 +47,11 @@ cat >"$top/tests/check.sh" <<'END'
 echo "photonlab's own tests are not in the students' archive. \`make test\` grades your work."
 END
 
+# The README names nothing that is not there.
+sed -i '/^    make setup check /d' "$top/README.md" || exit 1
+
 if [ -z "$with" ]; then
+    sed -i '/^| `solutions\/` |/d' "$top/README.md" || exit 1
     platform=$(uname -m)-$(uname -s)
     for object in "$PHOTONLAB_BUILD"/solutions/*/*.so; do
         to=$top/prebuilt/$platform/solutions/${object#"$PHOTONLAB_BUILD"/solutions/}

@@ -41,6 +41,8 @@ check_handout() {
         not grep -qE '\.(debug_|symtab)|solutions/' "$tree"/prebuilt/*/solutions/2_glossy_lobe/2.2_turn_to.so
     ok "handout: every stub is pristine" diff -r -x '*.md' -x '*.png' -x .stubs "$tree/exercises/.stubs" \
         "$tree/exercises"
+    ok "handout: its README names no solutions, and no tests that are not there" \
+        not grep -qE 'solutions/|CODE=solutions|setup check' "$tree/README.md"
     ok "handout: nothing for teachers alone in its README" not grep -qi "teacher\|make class" "$tree/README.md"
     (cd "$tree" && find . -name '*.md' | while IFS= read -r file; do
         grep -o '](\([^)#:]*\))' "$file" | sed 's/^](//; s/)$//' | while IFS= read -r link; do
