@@ -2,6 +2,7 @@
 // read back as numbers. Usage: node check_figures.mjs SITE TOOLS SHOTS [CHAPTER]
 import fs from 'node:fs'
 import path from 'node:path'
+import {gzipSync} from 'node:zlib'
 import {installed, launch} from './browsers.mjs'
 
 const [site, tools, shots, only = ''] = process.argv.slice(2)
@@ -151,7 +152,16 @@ async function tryPage(browser, kind, chapter) {
     return places.length
 }
 
+// What a disk, and a phone that loads it packed, have of a page.
+function sizes() {
+    for (const name of fs.readdirSync(site).filter(name => name.endsWith('.html'))) {
+        const bytes = fs.readFileSync(path.join(site, name)), packed = gzipSync(bytes).length
+        check(`${name}: ${Math.round(bytes.length / 1000)} kB, packed ${Math.round(packed / 1000)} kB`, bytes.length < 3e6 && packed < 1e6)
+    }
+}
+
 fs.mkdirSync(shots, {recursive: true})
+if (!only || only === 'sizes') sizes()
 const chapters = fs.readdirSync(site).filter(name => name.startsWith(only) && /^[1-6].*\.html$/.test(name))
 for (const kind of installed()) {
     const browser = await launch(kind, tools)

@@ -177,9 +177,12 @@ async function checkBrowser(name) {
     await settled(page)
     check(`${name}: below a path of a server, which is asked for nothing but the page`,
         server.asked.every(url => url === '/a/course/lab.html' || url === '/favicon.ico'), server.asked)
+    server.close()
+    if (name === 'chromium') await page.setOfflineMode(true)
+    await choose(page, 'prism.yaml')
+    check(`${name}: goes on when server and network are gone`, (await status(page)).startsWith('200,000 photons'), await status(page))
     check(`${name}: no error in the console`, said.filter(text => !/favicon/.test(text)).length === 0, said)
     await browser.close()
-    server.close()
 }
 
 fs.mkdirSync(shots, {recursive: true})
