@@ -97,7 +97,7 @@ check-attacks: judge $(WRITE_REPORTS)
 $(BUILD)/tests/print_sample: $(call object,tests/judge/report/test/print_sample.c tests/judge/print.c tests/judge/terminal.c $(REPORT_WORDS)) $(LIBRARY)
 	$(call link)
 check-reports: $(WRITE_REPORTS) $(BUILD)/tests/print_sample
-	@bash tests/judge/report_test.sh $^
+	@bash tests/judge/report/test/report.sh $^
 
 ##check beside check-judge  what a student meets at the terminal
 check-judge: judge $(BUILD)/calibrate

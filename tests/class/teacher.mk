@@ -59,7 +59,7 @@ gradescope: $(CLASS_TABLE)
 
 ##check beside check-class  submitting, updating, grading a small class, handout, autograder
 check-class: class-tools meshes
-	@bash tests/class/test_class.sh
+	@bash tests/class/test/class.sh
 
 ##check long check-class-many  200 submissions in a locale with a decimal comma, killed half-way and begun again; COUNT=20
 check-class-many: class-tools meshes
@@ -71,7 +71,7 @@ class-slurm-trial: class-tools
 
 ##check long check-alike  make class-alike finds a copy with other names among right solutions; takes copydetect from PyPI
 check-alike: $(CLASS_UNPACK) $(ALIKE)
-	@bash tests/class/test_alike.sh $(ALIKE)
+	@bash tests/class/test/alike.sh $(ALIKE)
 
 ##teacher class-numbers  what a class costs, and its pages at ten thousand rows: tests/class/numbers.md
 class-numbers: class-tools meshes

@@ -1,4 +1,4 @@
-// Prints made-up results, for report_test.sh to read. Usage: print_sample [verbose]
+// Prints made-up results, for report.sh to read. Usage: print_sample [verbose]
 #include "judge/scatter/scatter.h"
 
 #include <stdio.h>

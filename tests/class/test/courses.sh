@@ -1,4 +1,4 @@
-# What course systems hand out and take in; lateness; parts of a class. To be sourced by test_class.sh.
+# What course systems hand out and take in; lateness; parts of a class. To be sourced by class.sh.
 
 reflect=1_diffuse_photon_map/1.1_reflect.c
 

@@ -1,14 +1,13 @@
 #!/usr/bin/env bash
 # Reports: every status, hidden steps, nasty texts, malformed reports; each format by its own checker.
-# Usage: report_test.sh build/report build/tests/print_sample
+# Usage: report.sh build/report build/tests/print_sample
 # Needs jq, python3, xmllint (Debian: libxml2-utils) and perl's TAP::Parser (Debian: perl).
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
+. "$here/../../../common.sh"
 report=$(realpath "$1")
 print_sample=$(realpath "$2")
-cases="$here/report/test"
 for tool in jq xmllint perl base64 python3; do
-    command -v "$tool" >/dev/null || { echo "report_test.sh needs $tool"; exit 1; }
+    command -v "$tool" >/dev/null || { echo "report.sh needs $tool"; exit 1; }
 done
 
 # A grey PFM of 4×4 pixels, in little-endian floats: 0.5, or 1.
@@ -31,7 +30,7 @@ prepare() {
     picture "$dir/pictures/2.1_yours.pfm" "$one"
     picture "$dir/pictures/2.1_reference.pfm" "$half"
     png >"$dir/pictures/scatter_1.png"
-    jq "$2" "$cases/report.json" >"$dir/report.json"
+    jq "$2" "$here/report.json" >"$dir/report.json"
 }
 
 # says FILE PATTERN; says_not: fixed strings.
@@ -48,7 +47,7 @@ page_is_closed() {
     ! grep -oE '(src|href|action|data|srcset|poster)="[^"]*"' "$page" | grep -vE "^($own)\$" &&
         ! grep -qiE '<(script|iframe|object|embed|link|base|form)|@import|url\(|javascript:|<[^>]* on[a-z]+=' "$page"
 }
-tap() { perl "$cases/tap.pl" <"$1/report.tap" >"$1/tap.out"; }
+tap() { perl "$here/tap.pl" <"$1/report.tap" >"$1/tap.out"; }
 xpath() { xmllint --xpath "$1" "$2"; }
 
 # written NAME [FLAG…]: a report of $dir is written, and every file of it right.
@@ -62,13 +61,13 @@ check_forms() {
     local name=$1 dir=$2
     ok "$name: index.html is well-formed" xmllint --noout "$dir/index.html"
     ok "$name: index.html needs nothing from elsewhere" page_is_closed "$dir"
-    ok "$name: junit.xml fits its schema" xmllint --noout --schema "$cases/junit.xsd" "$dir/junit.xml"
+    ok "$name: junit.xml fits its schema" xmllint --noout --schema "$here/junit.xsd" "$dir/junit.xml"
     ok "$name: report.tap parses" tap "$dir"
-    ok "$name: gradescope" true_of "$(cat "$cases/gradescope.jq")" "$dir/gradescope/results.json"
-    ok "$name: prairielearn" true_of "$(cat "$cases/prairielearn.jq")" "$dir/prairielearn/results.json"
+    ok "$name: gradescope" true_of "$(cat "$here/gradescope.jq")" "$dir/gradescope/results.json"
+    ok "$name: prairielearn" true_of "$(cat "$here/prairielearn.jq")" "$dir/prairielearn/results.json"
     ok "$name: prairielearn is small enough" [ "$(stat -c %s "$dir/prairielearn/results.json")" -lt 1000000 ]
-    (cd "$dir" && CLASSROOM=c ASSIGNMENT=a SUBMISSION_TAG=s COMMIT_URL=u RELEASE_URL=r python3 "$here/../class/ci/classroom50.py" report.json)
-    ok "$name: classroom 50" true_of "$(cat "$cases/classroom50.jq")" "$dir/result.json"
+    (cd "$dir" && CLASSROOM=c ASSIGNMENT=a SUBMISSION_TAG=s COMMIT_URL=u RELEASE_URL=r python3 "$here/../../../class/ci/classroom50.py" report.json)
+    ok "$name: classroom 50" true_of "$(cat "$here/classroom50.jq")" "$dir/result.json"
     ok "$name: nothing left behind" no_leftovers "$dir"
 }
 
@@ -181,8 +180,8 @@ picture "$dir/pictures/2.1_reference.pfm" '\000\000\000\000'
 check "$(png_count "$dir") == 4" "a black reference is shown"
 prepare empty '.steps = [] | .scatters = [] | .points = 0 | .passed = 0 | .failed = 0 | .errors = 0 | .not_started = 0'
 ok "no steps: written" "$report" "$dir"
-ok "no steps: junit.xml" xmllint --noout --schema "$cases/junit.xsd" "$dir/junit.xml"
-ok "no steps: gradescope" true_of "$(cat "$cases/gradescope.jq")" "$dir/gradescope/results.json"
+ok "no steps: junit.xml" xmllint --noout --schema "$here/junit.xsd" "$dir/junit.xml"
+ok "no steps: gradescope" true_of "$(cat "$here/gradescope.jq")" "$dir/gradescope/results.json"
 ok "no steps: index.html" xmllint --noout "$dir/index.html"
 ok "no steps: tap" tap "$dir"
 prepare uncredited '.credit = false | .sandbox = "none"'
@@ -192,95 +191,6 @@ ok "no credit: not gradable for prairielearn" true_of '.gradable == false' "$dir
 ok "no credit: no points for classroom 50" true_of '.score == 0 and ."max-score" == 5000' "$dir/result.json"
 ok "no credit: the page says so" says "$dir/index.html" "Not for credit"
 
-echo "── reports that are refused"
-# refuse WORDS FILTER: ends with 1, says the words, writes nothing.
-refuse() {
-    prepare "refused $1" "$2"
-    refuse_file "$1"
-}
-refuse_file() {
-    "$report" "$dir" >"$work/said" 2>&1
-    local code=$?
-    if [ $code = 1 ] && says "$work/said" "$1" && [ ! -e "$dir/index.html" ]; then
-        good "refused: $1"
-    else
-        bad "ended with $code; said: $(cat "$work/said"); expected: $1"
-    fi
-    rm -rf "$dir"
-}
-refuse 'expected an object' '[]'
-refuse 'format: expected "photonlab report 2"; found "photonlab report 1"' '.format = "photonlab report 1"'
-refuse 'steps[1].points: expected a number; found nothing' 'del(.steps[1].points)'
-refuse 'steps[1].points: expected at most 6; found 7' '.steps[1].points = 7'
-refuse 'steps[0].points: expected 0 to 1e+09; found -1' '.steps[0].points = -1'
-refuse 'points is 100, but the steps'"'"' points add up to 19.5' '.points = 100'
-refuse 'points_max is 40, but the steps'"'"' add up to 50' '.points_max = 40'
-refuse 'passed is 4, but 3 steps have the status pass' '.passed = 4'
-refuse 'not_started is 0, but 1 steps have the status todo' '.not_started = 0'
-refuse 'steps[2].status: expected pass, fail, error, todo or skip' '.steps[2].status = "passed"'
-refuse 'steps[2].hidden: expected true or false; found a number' '.steps[2].hidden = 0'
-refuse 'steps[2].stage: expected 1 to 99; found 0' '.steps[2].stage = 0'
-refuse 'steps[2]: expected 17 fields; found 18' '.steps[2].more = 1'
-refuse 'the whole: expected 13 fields; found 14' '.more = 1'
-refuse 'steps[2].id: expected a number like 2.1' '.steps[2].id = "2.2\"><b>"'
-refuse 'steps[1].checks: expected a list' '.steps[1].checks = null'
-refuse 'steps[1].checks[0].p: expected a number or null; found a text' '.steps[1].checks[0].p = "0.1"'
-refuse 'steps[1].checks[0].histogram: expected as many' '.steps[1].checks[0].histogram.observed = [1]'
-refuse 'steps[1].checks[0].histogram.observed: expected numbers' '.steps[1].checks[0].histogram.observed = [true]'
-refuse 'steps[1].checks[1].picture.yours: expected a path below' '.steps[1].checks[1].picture.yours = "/etc/passwd.pfm"'
-refuse 'steps[1].checks[1].picture.yours: expected a path below ' '.steps[1].checks[1].picture.yours = "a/../../b.pfm"'
-refuse 'steps[3]: expected an object; found a text' '.steps[3] = "x"'
-refuse 'scatters[0].picture: expected a path below' '.scatters[0].picture = "../x.png"'
-refuse 'scatters[1].stage: expected one more than 1; found 1' '.scatters[1].stage = 1'
-refuse 'scatters[1]: expected 9 fields; found 10' '.scatters[1].points = 5'
-refuse 'scatters: expected a list' 'del(.scatters)'
-prepare text .; head -c 200 "$cases/report.json" >"$dir/report.json"; refuse_file "report.json:"
-prepare nan .; sed -i 's/0\.25/NaN/' "$dir/report.json"; refuse_file "invalid token near 'NaN'"
-prepare twice .; sed -i 's/"credit"/"format": "x", "credit"/' "$dir/report.json"; refuse_file "duplicate object key"
-prepare bytes .; sed -i 's/exercises/\xff\xfe/' "$dir/report.json"; refuse_file "unable to decode byte 0xff"
-prepare none .; rm "$dir/report.json"; refuse_file "cannot be read"
-prepare folder .; rm "$dir/report.json"; mkdir "$dir/report.json"; refuse_file "is a directory"
-
-echo "── flags, and files that cannot be written"
-prepare flags .
-code() { "$@" >"$work/said" 2>&1; echo $?; }
-check "$(code "$report") == 2" "no directory ends with 2"
-check "$(code "$report" --no "$dir") == 2" "an unknown flag ends with 2"
-check "$(code "$report" --notes) == 2" "--notes without a path ends with 2"
-check "$(code "$report" --notes https://x.org "$dir") == 2" "--notes elsewhere ends with 2"
-check "$(code "$report" --help) == 0" "--help ends with 0"
-mkdir "$dir/index.html"
-check "$(code "$report" "$dir") == 1" "index.html is a directory: ends with 1"
-ok "and says so" says "$work/said" "index.html: is a directory"
-
-echo "── the terminal"
-COLUMNS=60 "$print_sample" >"$work/terminal"
-ok "last line" [ "$(tail -1 "$work/terminal")" = "9 passed, 3 failed" ]
-ok "the line before" [ "$(tail -2 "$work/terminal" | head -1)" = "1 not started, 1 not checked" ]
-ok "points" says "$work/terminal" "50.5 of 80.5 points; 1 hidden step is graded, too"
-ok "a pass" grep -qE '^  ✓ 1\.1 Reflect a direction +2\.5/2\.5$' "$work/terminal"
-ok "a failure, in several lines" says <(tr -s ' \n' ' ' <"$work/terminal") \
-    "for n = 20 the mean of cosα should be 0.9545, found 0.9524"
-ok "its likely mistake" says "$work/terminal" "looks like: the exponent n in place of n+1"
-ok "where to go on" says <(tr -s ' \n' ' ' <"$work/terminal") "make hint STEP=2.1 · contract: lib/steps/2_glossy_lobe.h"
-ok "the first and the last 10 lines printed" eval 'grep -qx "        line 10" "$work/terminal" && grep -qx "        line 40" "$work/terminal"'
-ok "and not more" not grep -qx '        line 11' "$work/terminal"
-ok "the compiler's lines as they stand" grep -qx '      *14 |     return x' "$work/terminal"
-ok "a crash, and where" says "$work/terminal" "in refract, line 9"
-ok "a scatter that passes" grep -qx '  ✓ scatter of stage 1, by your 1.1 1.3' "$work/terminal"
-ok "a scatter that fails" says <(tr -s ' \n' ' ' <"$work/terminal") "stage 2, scatter: the copper ball gets 31 % fewer photons than right (z = 14)"
-ok "no scatter where nothing played" not says "$work/terminal" "scatter of stage 3"
-ok "not started" grep -q '^  ○ 3\.4 ' "$work/terminal"
-ok "hidden steps are silent" not grep -qE 'secret|2\.3' "$work/terminal"
-ok "no colours or commands from a pipe" not grep -qP '\x1b|\x07|\xff' "$work/terminal"
-ok "lines of sentences fit 60 columns" [ "$(grep -v 'exercises/' "$work/terminal" |
-    LC_ALL=C awk '{ n = gsub(/[^\200-\277]/, "") } n > 60' | wc -l)" = 0 ]
-"$print_sample" verbose >"$work/terminal"
-ok "verbose: each check" says "$work/terminal" "✓ Directions follow the density: p = 0.3, wrong below 0.00033"
-if [ "$(script -qec "echo yes" /dev/null 2>/dev/null </dev/null | tr -d '\r')" = yes ]; then
-    TERM=xterm NO_COLOR='' script -qec "\"$print_sample\"" /dev/null >"$work/terminal" </dev/null
-    ok "colours on a terminal" grep -q "$(printf '\033\\[32m')" "$work/terminal"
-    TERM=xterm NO_COLOR=1 script -qec "\"$print_sample\"" /dev/null >"$work/terminal" </dev/null
-    ok "none with NO_COLOR" not grep -q "$(printf '\033')" "$work/terminal"
-fi
+. "$here/refused.sh"
+. "$here/terminal.sh"
 finish

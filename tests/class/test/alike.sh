@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # `make class-alike`: a class of the right solutions that tests/ has, each by another hand, and one of them again with other names
-# and another layout. `make check-alike` runs it. Usage: test_alike.sh PYTHON
+# and another layout. `make check-alike` runs it. Usage: alike.sh PYTHON
 set -u
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(cd "$(dirname "$0")/.." && pwd)
 root=$(cd "$here/../.." && pwd)
 . "$here/../common.sh"
 cd "$root" || exit 1

@@ -1,4 +1,4 @@
-# Handout, submit, update. To be sourced by test_class.sh, which has the rest.
+# Handout, submit, update. To be sourced by class.sh, which has the rest.
 
 # ---- handout
 
