@@ -25,7 +25,7 @@ for target in "$@"; do
         gcc-aarch64-linux-gnu libc6-dev-i386-cross libc6-dev-s390x-cross libc6-dev-arm64-cross"
     case $target in check-macos | check-elsewhere | check-ci) packages="$packages python3-pip busybox original-awk libarchive-tools" ;; esac
     case $target in fuzz*) packages="$packages libclang-rt-dev" ;; esac
-    [ "$target" != check-debian ] || packages="debootstrap git"
+    case $target in check-debian | check-devcontainer) packages="debootstrap git" ;; esac
 done
 # Newer systems have dropped these, or call them otherwise.
 where_there_is="libosmesa6"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The README's two commands on a system that has nothing yet, as a container for CI usually is: root without the rights to make
 # namespaces, a checkout that all can read, so no bubblewrap. Needs root. What was committed is tried. Usage: debian.sh
-# BUILD SUITE. TARGETS=check-class: these alone.
+# BUILD SUITE [COMMANDS, a file: instead]. TARGETS=check-class: these alone.
 set -eu
 suite=$2
 mkdir -p "$1/debian"
@@ -24,6 +24,7 @@ apt-get -qq install -y --no-install-recommends ca-certificates git make procps >
 cd /photonlab
 for target in ${TARGETS:-demo check}; do make setup \$target; done
 END
+[ $# = 2 ] || cp "$3" "$suite/commands"
 # The rights that Docker leaves to root; in a changed root no namespace for users can be made either.
 rights=-all
 for right in chown dac_override fowner fsetid kill setgid setuid setpcap net_bind_service net_raw sys_chroot mknod audit_write setfcap; do

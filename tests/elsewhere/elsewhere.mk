@@ -1,6 +1,6 @@
 # Other machines and systems than this one; included by tests.mk. None is a part of `make check`: they fetch compilers and libraries.
 
-.PHONY: check-macos check-elsewhere check-ci check-debian
+.PHONY: check-macos check-elsewhere check-ci check-debian check-editor check-devcontainer
 
 # What Debian does not have, or not of today, comes from PyPI, in versions that are known to do, each into a folder of its own.
 ZIG        = $(BUILD)/tools/ziglang-0.17.1
@@ -25,6 +25,14 @@ check-elsewhere: all meshes
 JSONSCHEMA = $(BUILD)/tools/check-jsonschema-0.39.0
 check-ci: $(JSONSCHEMA) $(SHELLCHECK)
 	@bash tests/elsewhere/ci.sh $(JSONSCHEMA) $(SHELLCHECK)/bin/shellcheck
+
+##check long check-editor  the files for VS Code: targets, ports, breakpoints, what compilers print (a minute)
+check-editor: judge
+	@bash tests/elsewhere/editor.sh $(BUILD)
+
+##check long check-devcontainer  the steps of .devcontainer/Dockerfile on a bare Debian, and the preview for a browser in it (five minutes)
+check-devcontainer:
+	@bash tests/elsewhere/devcontainer.sh $(BUILD)
 
 ##check long check-debian  make setup demo and make setup check in a bare container: SUITE=trixie [TARGETS=check-class] (a quarter of an hour)
 SUITE ?= trixie
