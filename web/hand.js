@@ -61,6 +61,7 @@ function pressed(event) {
         p: toggleRender,
         ' ': toggleFlight,
         s: savePicture,
+        ...home.keys,
     }
     if (arrow && event.shiftKey) lab.turn(0.05 * arrow[0], 0.05 * arrow[1])
     else if (arrow) lab.choose(arrow[0] !== 0, arrow[0] - arrow[1])

@@ -20,6 +20,7 @@ const home = {
     failed: error => fault(error.message), // a run
     done: () => {}, // all photons are there: the messages that they came in
     started: () => {},
+    keys: {}, // letter: what it does
     ...globalThis.photonlabHome,
 }
 

@@ -15,6 +15,7 @@ globalThis.photonlabHome = {
         return workers
     },
     started: () => follow(),
+    keys: {n: () => tellServer('next'), '?': () => tellServer('hint')},
     done: messages => {
         student.good = messages
     },
