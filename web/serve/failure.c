@@ -64,10 +64,9 @@ static void finish_failure(Tab *tab)
     for (int i = 0; i < count; i++) {
         if (!is_students(&places[i]))
             continue;
-        if (!fault->place.file[0])
+        fault->calls_itself = fault->calls_itself || strcmp(fault->place.function, places[i].function) == 0;
+        if (fault->place.line == 0) // what the compiler put in belongs to no line
             fault->place = places[i];
-        else
-            fault->calls_itself = fault->calls_itself || strcmp(fault->place.function, places[i].function) == 0;
     }
     if (fault->kind == FAULT_LOOP && !fault->place.file[0]) // it was ended from outside
         fault_describe_what(fault, tab->failure, sizeof tab->failure);
