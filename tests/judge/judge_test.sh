@@ -106,6 +106,7 @@ with twice.inl
 judged 0 "1 passed, 0 failed" --step 1.1
 with twice.txt
 judged 1 "it includes \`util/twice.txt\`, which would not be handed in" --step 1.1
+[ "$(id -u)" != 0 ] || PHOTONLAB_SANDBOX=uid judged 1 "it includes \`util/twice.txt\`" --step 1.1 # which compiles a copy
 rm -r "$work/my code/util"
 
 # A copy beside the steps plays nowhere, and is told once.

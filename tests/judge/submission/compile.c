@@ -111,19 +111,23 @@ static const char *last_up(const char *path)
     return path;
 }
 
-// A file of the student's own that is included and would not be handed in: its path in the submission, or NULL.
-static const char *left_behind(const char *code, char *list)
+// A file of the student's own that is included and would not be handed in: its path in the submission, or NULL. A sandbox may have
+// compiled a copy of it all in some folder: what stands before the source's path, the first of the list, stands before all.
+static const char *left_behind(const Paths *p, char *list)
 {
-    size_t length = strlen(code);
+    size_t length = strlen(p->code), copied_to = 0;
     for (char *name = next_name(&list); name; name = next_name(&list)) {
-        const char *ending = strrchr(name, '.');
-        if (strncmp(name, code, length) != 0 || name[length] != '/' || !ending)
+        size_t above = strlen(name) - strlen(p->source);
+        if (strlen(name) > strlen(p->source) && strcmp(name + above, p->source) == 0)
+            copied_to = above;
+        const char *ending = strrchr(name, '.'), *path = name + (copied_to < strlen(name) ? copied_to : 0);
+        if (strncmp(path, p->code, length) != 0 || path[length] != '/' || !ending)
             continue;
         bool hidden = false;
-        for (const char *part = name + length; (part = strstr(part, "/.")); part++)
+        for (const char *part = path + length; (part = strstr(part, "/.")); part++)
             hidden = hidden || part[2] != '.';
         if (hidden || (strcmp(ending, ".c") && strcmp(ending, ".h") && strcmp(ending, ".inl")))
-            return last_up(name + length + 1);
+            return last_up(path + length + 1);
     }
     return NULL;
 }
@@ -135,7 +139,7 @@ static Status check_includes(const Paths *p, StepWords *words)
     Error ignored = {""};
     snprintf(path, sizeof path, "%.*s.d", (int)(strrchr(p->object, '.') - p->object), p->object);
     char *made = file_read(path, 1u << 20, &size, &ignored);
-    const char *left = made ? left_behind(p->code, made) : NULL;
+    const char *left = made ? left_behind(p, made) : NULL;
     Status status = STATUS_PASS;
     if (left)
         status = words_say(words, STATUS_ERROR,
