@@ -109,7 +109,11 @@ case $? in
 124 | 137)
     write_reports
     left=$(grep -o '"message": "grading did not get this far"' "$part/report.json" | wc -l)
-    finish "partly graded" "the $SECONDS_EACH s for grading ran out before $left steps$(sed 's/^/; /' "$work/note")" "$key in $SECONDS_EACH s"
+    if [ "$left" = 0 ]; then # what was still to do, a stage's steps together, has no points
+        finish "graded" "the time ran out after the last step$(sed 's/^/; /' "$work/note")" "$key"
+    else
+        finish "partly graded" "the $SECONDS_EACH s for grading ran out before $left steps$(sed 's/^/; /' "$work/note")" "$key in $SECONDS_EACH s"
+    fi
     ;;
 *) finish "not graded" "$(tail -1 "$work/why" | grep . || echo "the judge broke down")" "" ;;
 esac

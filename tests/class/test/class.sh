@@ -111,7 +111,17 @@ check_odd() {
         "odd: how a step broke off, and whose"
     says '<b>1</b> it does not compile' "$work/odd-out/lecture.html" "odd: and in the lecture, without a name"
     grade_odd
+    check_last_moment
     says '\] kept .* late' "$work/odd-out-said" "odd: what ran out of time is not paid for again"
+}
+
+# The time runs out when every step has its verdict.
+check_last_moment() {
+    mkdir "$work/slow" && ln -s "$build"/* "$work/slow/" && rm "$work/slow/judge"
+    printf '#!/bin/sh\n"%s/judge" "$@" --build "%s"\nexit 124\n' "$build" "$build" >"$work/slow/judge" && chmod +x "$work/slow/judge"
+    { cat "$work/odd-out/.parts/.config" && echo "BUILD=$work/slow REGRADE=1"; } >"$work/slow/config"
+    bash "$here/grade_one.sh" "$work/slow/config" "$work/odd/capital" capital >"$work/slow/said" 2>&1
+    says '^graded  4.0 points .*ran out after the last step; helper.c' "$work/slow/said" "odd: all verdicts there when the time ran out"
 }
 
 holds_row() { in_table odd-out "^,,$1," "$2" "odd: $3"; }
@@ -197,7 +207,7 @@ all)
     cat "$work/odd-lines"
     passed=$((passed + $(grep -c '^✓' "$work/odd-lines")))
     failed=$((failed + $(grep -c '^✗' "$work/odd-lines")))
-    check "$(grep -c '^[✓✗]' "$work/odd-lines") == 16" "odd: all of it was tried"
+    check "$(grep -c '^[✓✗]' "$work/odd-lines") == 17" "odd: all of it was tried"
     check_class; check_roster; check_canvas; check_moodle; check_language; check_gradescope
     ;;
 odd | class | roster | canvas | moodle | language) "check_$1" ;;
