@@ -63,7 +63,7 @@ check-class: class-tools meshes
 
 ##check long check-class-many  200 submissions in a locale with a decimal comma, killed half-way and begun again; COUNT=20
 check-class-many: class-tools meshes
-	@COUNT=$(COUNT) bash tests/class/test_many.sh $(BUILD)
+	@COUNT=$(COUNT) bash tests/class/test/many.sh $(BUILD)
 
 ##check long class-slurm-trial  make class-slurm on a cluster of this one machine
 class-slurm-trial: class-tools

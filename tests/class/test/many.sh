@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Many submissions where numbers have a decimal comma, killed half-way and begun again: all are graded, none twice, each as its work
-# deserves. Usage: test_many.sh BUILD, from the checkout's root. COUNT=200.
+# deserves. Usage: many.sh BUILD, from the checkout's root. COUNT=200.
 set -u
-. "$(dirname "$0")/../common.sh"
+. "$(dirname "$0")/../../common.sh"
 build=$1 count=${COUNT:-200}
 turn=2_glossy_lobe/2.2_turn_to.c mistakes=(tests/mistakes/2.2_*/a.patch)
 
