@@ -14,12 +14,16 @@ export const installed = () => Object.keys(PLACES).filter(executable)
 // `tools`: the folder into which npm put puppeteer-core.
 export async function launch(name, tools) {
     const {default: puppeteer} = await import(createRequire(path.resolve(tools, 'x.js')).resolve('puppeteer-core'))
-    if (name === 'firefox') // draws WebGL on a display only
-        return puppeteer.launch({browser: 'firefox', executablePath: executable(name), headless: !process.env.DISPLAY})
-    return puppeteer.launch({
-        executablePath: executable(name),
-        args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
-    })
+    const browser = await puppeteer.launch(name === 'firefox' // draws WebGL on a display only
+        ? {browser: 'firefox', executablePath: executable(name), headless: !process.env.DISPLAY}
+        : {executablePath: executable(name), args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist']})
+    const open = browser.newPage.bind(browser)
+    browser.newPage = async () => {
+        const page = await open()
+        page.setDefaultTimeout(120000) // on a busy machine, too
+        return page
+    }
+    return browser
 }
 
 // The folder below a path of its own, and nothing else; {url, close, asked: paths that were asked for}.

@@ -13,7 +13,7 @@ figures.albedo = {
         sheet.line([[theta, 0], [theta, 1.12]], 'soft', {width: 1, dash: [4, 4]})
         sheet.dots([[theta, source]], 'orange', 8)
         sheet.dots([[theta, phong]], 'blue', 8)
-        sheet.text([3, 1.05], '2.3: nothing is lost', 'orange')
+        sheet.text([87, 0.93], '2.3: nothing is lost', 'orange', 'right')
         sheet.text([3, 0.06], '2.4: what points into the surface is lost, and the weight falls with the cosine', 'blue')
         return {words: `At θ = ${rounded(theta)}° step 2.3 sends on ${rounded(100 * source)} %, step 2.4 ${rounded(100 * phong)} %.`, n, theta, source, phong}
     },

@@ -21,5 +21,5 @@ figures.compare = {
         sheet.line([[at, 0], [at, 1]], '#ffffff', {width: 2})
         return {words: 'Left of the line the first picture, right of it the other. Drag the line.', right}
     },
-    drag: (figure, x) => ({right: 100 * (1 - x)}),
+    drag: (figure, x) => ({right: Math.round(100 * (1 - x))}),
 }

@@ -10,7 +10,7 @@ figures.disk = {
         const rows = figure.rows(3, 'web_passes', passes, alpha, radius, x, 2000), {sheet} = figure
         const right = x < 0.1 ? 0.35 + 0.5 * (x + 0.5) : 0.05
         const at = i => Math.log10(i + 1)
-        sheet.begin({x: [0, Math.max(at(passes - 1), 0.5)], y: [0, 1.2], labels: ['log₁₀ of the pass', 'irradiance: of each pass (dots), their mean (line)']})
+        sheet.begin({x: [0, Math.max(at(passes - 1), 0.5)], y: [0, 1.2], labels: ['log₁₀ of the pass', 'irradiance: passes (dots), mean (line)']})
         sheet.line([[0, right], [4, right]], 'soft', {dash: [5, 4]})
         sheet.dots(rows.map((r, i) => [at(i), r[1]]), 'soft', 3)
         sheet.line(rows.map((r, i) => [at(i), r[2]]), 'blue')

@@ -84,8 +84,21 @@ class Sheet {
         }
         pen.textAlign = 'right'
         pen.fillText(across, box.left + box.width, box.top + box.height + 30)
-        pen.textAlign = 'left'
-        pen.fillText(up, box.left + 6, box.top + 13)
+        this.write(up, box.left + 6, box.top + 13, 'left')
+    }
+
+    // In as many lines as it takes within the sheet; from the line at `top` on, or as low as there is room.
+    write(words, left, top, align) {
+        const {pen, box} = this, room = align === 'left' ? box.left + box.width - left : align === 'right' ? left - box.left : Infinity
+        const lines = ['']
+        for (const word of words.split(' ')) {
+            const longer = `${lines.at(-1)} ${word}`.trim()
+            if (lines.at(-1) && pen.measureText(longer).width > room) lines.push(word)
+            else lines[lines.length - 1] = longer
+        }
+        const first = Math.min(top, box.top + box.height - 4 - 15 * (lines.length - 1))
+        pen.textAlign = align
+        lines.forEach((line, i) => pen.fillText(line, left, first + 15 * i))
     }
 
     stroke(points) {
@@ -144,8 +157,8 @@ class Sheet {
         })
     }
     text([x, y], words, colour = 'ink', align = 'left') {
-        Object.assign(this.pen, {fillStyle: this.ink(colour), textAlign: align})
-        this.pen.fillText(words, this.px(x), this.py(y))
+        this.pen.fillStyle = this.ink(colour)
+        this.write(words, this.px(x), this.py(y), align)
     }
 }
 

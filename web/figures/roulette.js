@@ -7,7 +7,7 @@ figures.roulette = {
     draw(figure, {rho, paths}) {
         const bounces = 16, all = figure.numbers('web_roulette', rho, bounces, paths), [mean, spread, rays] = all
         const {sheet} = figure, right = 1 / (1 - rho)
-        sheet.begin({x: [-0.6, bounces - 0.4], y: [0, 1.08], labels: ['bounce', 'share of photons alive (bars), and power of each (dots)']})
+        sheet.begin({x: [-0.6, bounces - 0.4], y: [0, 1.08], labels: ['bounce', 'share alive (bars), power of each (dots)']})
         for (let i = 0; i < bounces; i++) {
             const alive = all[3 + 2 * i], power = all[4 + 2 * i]
             sheet.area([[i - 0.35, 0], [i + 0.35, 0], [i + 0.35, alive], [i - 0.35, alive]], 'glass', 'blue')

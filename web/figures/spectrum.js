@@ -12,7 +12,7 @@ figures.spectrum = {
         for (const [channel, name] of [[0, 'red'], [1, 'green'], [2, 'blue']]) sheet.line(colours.map((c, j) => [380 + j, c[channel]]), name)
         sheet.line(colours.map((c, j) => [380 + j, 1 / c[3]]), 'soft', {dash: [5, 4]})
         sheet.line([[nm, -3], [nm, 9.2]], 'ink', {width: 1})
-        sheet.text([384, 7.4], 'step 6.3: red, green, blue (below 0 too); dashed: how often step 6.2 draws it', 'soft')
+        sheet.text([384, 7.4], 'step 6.3 in colours; dashed: what 6.2 draws', 'soft')
         return {words: `${rounded(nm)} nm: red ${rounded(r, 2)}, green ${rounded(g, 2)}, blue ${rounded(b, 2)}; drawn with weight ${rounded(weight)}. Index of ${glass}: ${index[i].toFixed(4)}.`,
             nm, r, g, b, weight, index: index[i]}
     },
