@@ -38,10 +38,10 @@ const orbit = (page, points, seconds) => page.evaluate(async (points, seconds) =
     while (performance.now() - began < 1000 * seconds) {
         state.lab.turn(0.01, 0)
         moved()
-        await new Promise(requestAnimationFrame)
-        finished()
+        await new Promise(requestAnimationFrame) // which waits for the frames before
         drawn.push(state.points)
     }
+    finished()
     const ended = performance.now()
     while (state.lab.get('most_points')) await new Promise(requestAnimationFrame)
     finished()
