@@ -86,7 +86,9 @@ static void send_place(const CrashPlace *place)
     send(text, put_number(to, place->offset, 16));
 }
 
+#if defined(__GLIBC__)
 static char printed[1 << 16]; // not yet on its way
+#endif
 
 // A step may print a line in each of a million calls: many go out together, and the last ones before a crash.
 static void buffer_output(void)
