@@ -49,6 +49,8 @@ for word; do
     [ "\$last \$word" != "-o /dev/null" ] || word=$there/nothing
     words+=("\$word") last=\$word
 done
+# For a look at the syntax alone it makes an empty a.out.
+[[ " \${words[*]} " != *" -fsyntax-only "* ]] || words+=(-o $there/nothing)
 exec $zig cc -target $processor-macos "\${words[@]}"
 END
     chmod +x "$there/cc"
