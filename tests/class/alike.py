@@ -40,8 +40,10 @@ def forms_of(unpack, path):
 def submissions(out, build):
     """Names and forms of all that `make class` has listed."""
     fields = (out / ".parts" / ".list").read_bytes().decode("utf-8", "surrogateescape").split("\0")[:-1]
+    paths = list(dict.fromkeys(fields[::2]))
     with concurrent.futures.ProcessPoolExecutor() as pool:
-        return fields[1::2], list(pool.map(functools.partial(forms_of, build / "class_unpack"), fields[::2], chunksize=8))
+        forms = dict(zip(paths, pool.map(functools.partial(forms_of, build / "class_unpack"), paths, chunksize=8)))
+    return fields[1::2], [forms[path] for path in fields[::2]]
 
 
 def same_of_right(root, step):

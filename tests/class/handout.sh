@@ -19,7 +19,7 @@ trap 'rm -rf "$work"' EXIT
 top=$work/photonlab-$version
 
 # What shows how the steps are solved, how they are usually done wrong, or how to cheat; and the teacher's own tools.
-secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|shortage|malformed|extend|elsewhere|scene_page|class|agreement|preview|web)/|^course_notes/teachers|^CONTRIBUTING|^tests/.*/README\.md$'
+secret='^tests/(mistakes|alternatives|attacks|unit|bench|fuzz|shortage|malformed|extend|elsewhere|scene_page|class|agreement|export|preview|web)/|^course_notes/teachers|^CONTRIBUTING|^tests/.*/README\.md$'
 secret="$secret|^tests/[^/]*\\.(awk|md|mk|sh)\$|^tests/judge/.*test|^tests/judge/(README\\.md|calibrate/)"
 secret="$secret|^tests/steps/(make_exercises\\.sh|stub\\.awk)"
 # Programs behind figures in which a line or two of a step stand, right or wrong; and what plays the known mistakes.
