@@ -1,9 +1,26 @@
-// log1pf with the roundings that it has on Linux, in its C library (by Sun's fdlibm): atanhf, which draws wavelengths, asks
-// it, and WASI's own rounds otherwise. See sine.c.
+// log1pf with the roundings that it has on Linux, in its C library: atanhf, which draws wavelengths, asks it, and WASI's own
+// rounds otherwise. See sine.c. PROGRAM_LIBC is the version of that library, 236 for 2.36. Up to 2.40 it has Sun's fdlibm;
+// from 2.41 on it rounds correctly, expm1f and atanhf as well, as a double's result does but for one number in millions.
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
+#if PROGRAM_LIBC >= 241
+float log1pf(float x)
+{
+    return (float)log1p((double)x);
+}
+
+float atanhf(float x)
+{
+    return (float)atanh((double)x);
+}
+
+float expm1f(float x)
+{
+    return (float)expm1((double)x);
+}
+#else
 #define LN2_HIGH 0x1.62e3p-1f
 #define LN2_LOW  0x1.2fefa2p-17f
 
@@ -54,3 +71,4 @@ float log1pf(float x)
         return sum(float_of(fraction | 0x3f800000) - 1.0f, k, lost);
     return sum(float_of(fraction | 0x3f000000) - 1.0f, k + 1, lost);
 }
+#endif

@@ -1,6 +1,7 @@
 // sinf and cosf with the roundings that they have on Linux, in its C library (glibc 2.28 and later, by the polynomials of
 // Arm's optimized-routines): WASI's own differ from them in the last bit of one number in eighty, and photons would
-// scatter otherwise than the program's do. For log1pf see logarithm.c. All else that photons need (expf, expm1f, logf, powf) is the same in both.
+// scatter otherwise than the program's do. All else that photons need (expf, logf, powf) is the
+// same in both, or stands in logarithm.c.
 #include <math.h>
 
 #define HALF_PI 0x1.921FB54442D18p0

@@ -4,7 +4,8 @@ WASM_CC  ?= clang
 WASM      = $(BUILD)/web
 # As native code is compiled, with the same roundings; without OpenMP, whose pragmas alone name some parameters. Headers that are no part of WASI's C library (OpenGL, stb, libyaml) are
 # looked for where the system has them, and last.
-WASM_FLAGS = --target=wasm32-wasi $(STANDARD) -Wno-unused-parameter -O3 -msimd128 -fno-stack-protector -Ilib -I. -idirafter /usr/include
+PROGRAM_LIBC := $(subst .,,$(filter 2.%,$(shell getconf GNU_LIBC_VERSION 2>/dev/null)))
+WASM_FLAGS = --target=wasm32-wasi $(STANDARD) -DPROGRAM_LIBC=$(or $(PROGRAM_LIBC),236) -Wno-unused-parameter -O3 -msimd128 -fno-stack-protector -Ilib -I. -idirafter /usr/include
 WASM_LINK  = -mexec-model=reactor -Wl,--strip-all -Wl,--stack-first -Wl,-z,stack-size=1048576 -Wl,--export=free
 
 # What needs a system below it stays out: processes, signals, loading of objects, windows.
