@@ -96,7 +96,8 @@ static bool poll_watch(Session *session)
 // A student saves, and nothing changes: another step does that work.
 static void tell_if_not_played(Session *session, const Recording *recording)
 {
-    const StepInfo *step = session->after_save && session->watch ? watch_step(session->watch) : NULL;
+    bool saved = session->watch && strcmp(session->asked_by, "save") == 0;
+    const StepInfo *step = saved ? watch_step(session->watch) : NULL;
     if (!step || recording->states[step - step_table] != STEP_STUDENT || step_is_played(step, recording->play))
         return;
     char text[300];
