@@ -172,7 +172,7 @@ bench-test: judge
 	@bash tests/bench/judge.sh $(BUILD)
 
 ##maintainer bench-preview  how soon after a save the photons are there, frames a second
-bench-preview: all meshes
+bench-preview: all meshes judge
 	@bash tests/bench/preview.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND)
 
 ##maintainer fuzz  feed a reader with nonsense: READER=scene|…|all SECONDS=600; tests/fuzz/ has a file for each
