@@ -73,6 +73,8 @@ printf '#include "photonlab.h"\nVec3 reflect(Vec3 d, Vec3 n) { static int calls;
 judged 1 "take the word \`static\` away" --step 1.1
 printf '#include "photonlab.h"\nVec3 reflect(Vec3 d, Vec3 n) { Rng rng = rng_create(1, 1); (void)d; return scatter_diffuse(n, &rng); }\n' >"$stage1/1.1_reflect.c"
 judged 1 "write steps.scatter_diffuse(…)" --step 1.1
+cp solutions/3_colour_dispersion/3.1_refract.c "$stage1/1.1_reflect.c"
+judged 1 "there is no function \`reflect\` in it; \`refract\` is there, which is step 3.1's" --step 1.1
 printf '#include <stdio.h>\n#include "photonlab.h"\nVec3 reflect(Vec3 d, Vec3 n) { printf("here\\n"); return *(Vec3 *)0; (void)d; (void)n; }\n' >"$stage1/1.1_reflect.c"
 judged 1 "printed: (in the case that failed) here" --step 1.1
 

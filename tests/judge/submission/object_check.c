@@ -159,6 +159,10 @@ static Status check_function(const ObjectFile *object, const StepInfo *step, Ste
     if (names(object, SYMBOL_PRIVATE, step->symbol))
         return words_say(words, STATUS_ERROR, "`%s` is static, so nobody can call it: take that word away",
                          step->symbol);
+    for (int i = 0; i < STEP_COUNT; i++)
+        if (names(object, SYMBOL_FUNCTION, step_table[i].symbol))
+            return words_say(words, STATUS_ERROR, "there is no function `%s` in it; `%s` is there, which is step %s's",
+                             step->symbol, step_table[i].symbol, step_table[i].id);
     const char *near = NULL;
     size_t nearest = 4;
     for (size_t i = 0; i < object->count; i++) {
