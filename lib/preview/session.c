@@ -90,7 +90,7 @@ static bool poll_watch(Session *session)
         puts(session->warning);
     rebuilt(session);
     coach_judge(&session->coach, watch_step(session->watch));
-    return session->coach.judging; // its photons are soon there
+    return false; // its photons are soon there: to draw now would keep them waiting
 }
 
 // A student saves, and nothing changes: another step does that work.
