@@ -45,6 +45,6 @@ void web_append_quoted(const char *words);
 void *web_gl(const char *name);
 
 // A run was heard of just now; it is given so many seconds until it is heard of again. See guard.c.
-void web_alive(double patience);
+void web_alive(double given);
 
 #endif

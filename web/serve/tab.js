@@ -7,6 +7,7 @@ globalThis.photonlabHome = {
     banner: text => [student.lost, student.now && student.now.fault, student.now && student.now.warning, text].filter(Boolean).join('\n'),
     compiled: () => WebAssembly.compileStreaming(fetch('photonlab.wasm')),
     workers: async compiled => {
+        LIMITS.run = 3 * LIMIT // guard.c ends loops of steps sooner, and knows where; a busy machine is none
         buildPanel()
         await askState()
         home.scene = student.now.scene
