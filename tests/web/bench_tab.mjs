@@ -16,12 +16,12 @@ for (const name of installed()) {
     await page.waitForFunction(() => student.module > 0 && state.seconds > 0, {timeout: 60000})
     // When the first photons of a module were drawn, by the machine's clock.
     await page.evaluate(() => {
+        const before = draw
         window.drawn = {}
-        const look = () => {
+        window.draw = now => {
+            before(now)
             if (state.shown > 0) drawn[student.module] ||= Date.now()
-            requestAnimationFrame(look)
         }
-        look()
     })
     const clock = [], processor = []
     for (let i = 0; i < SAVES; i++) {

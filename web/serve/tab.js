@@ -95,7 +95,7 @@ function showState() {
     $('verdicts').hidden = !now.judged
     const rows = [...new Set(now.steps.map(s => s.stage))].map(stage => element('div', {}, ...now.steps.filter(s => s.stage === stage).map(s =>
         element('span', {className: `${s.old ? 'old' : MARK_CLASSES[s.state] || ''} ${s === step ? 'present' : ''}`,
-            title: s.title, textContent: `${s.id} ${s.mark}${s.judged ? '…' : ''}`}))))
+            title: s.title, textContent: `${s.id} ${s.mark}${s.judged ? '‥' : ''}`}))))
     const line = (className, text) => (text ? [element('p', {className, textContent: text})] : [])
     const wrong = step.state === 'fail' || step.state === 'error', right = step.state === 'pass'
     $('verdicts').replaceChildren(element('div', {className: 'marks'}, ...rows),
