@@ -50,7 +50,7 @@ $(BUILD)/site/lab.html: web/make_page.sh $(wildcard web/*.html web/*.css web/*.j
 	$(call say,page,$@)
 	$(call beside,sh web/make_page.sh web/lab.html $(WASM)/photonlab.wasm $(SITE_SCENES) >$$new)
 
-##maintainer site  the course for a web host, or a disk: build/site/
+##teacher site  notes and lab as pages for your students, for a web host or a disk: build/site/
 site: $(BUILD)/site/lab.html
 	+@$(MAKE) --no-print-directory notes-pages NOTES=$(BUILD)/site NOTES_MODULE=$(WASM)/photonlab.wasm NOTES_WITHOUT=teachers
 	@echo "$(BUILD)/site/index.html, $(BUILD)/site/lab.html"

@@ -177,7 +177,11 @@ close() {
     echo "$count submissions, $((count - lost)) with a result, $lost not graded, in $SECONDS s"
     [ "$partly" = 0 ] || echo "$partly partly graded, as $SECONDS_EACH s ran out. More for each:" \
         "PHOTONLAB_SECONDS_EACH=$((2 * SECONDS_EACH)) make class …"
-    echo "${PHOTONLAB_OUT:-$OUT}/class.csv, ${PHOTONLAB_OUT:-$OUT}/index.html"
+    local to=${PHOTONLAB_OUT:-$OUT} grades
+    echo "$to/class.csv, $to/index.html; for the lecture $to/lecture.html"
+    for grades in moodle canvas; do
+        [[ " ${TABLE[*]} " != *" --format $grades "* ]] || echo "to be uploaded: $to/$grades.csv"
+    done
     [ "$lost" = 0 ]
 }
 

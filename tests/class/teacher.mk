@@ -18,7 +18,7 @@ $(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
 
 class-tools: $(BUILD)/class_flags.sh judge $(WRITE_REPORTS) $(CLASS_UNPACK) $(CLASS_TABLE)
 
-##teacher class  grade a class: [SALT=secret] make class DIR=submissions [ROSTER=roster.csv] [FORMAT=moodle] [OUT=build/class] [REGRADE=1]
+##teacher class  grade a class: [SALT=secret] make class DIR=submissions [ROSTER=roster.csv] [FORMAT=moodle|canvas] [GRADE=assignment] [OUT=build/class] [REGRADE=1]
 ##teacher class-slurm  the same by a Slurm cluster, in parts: … make class-slurm DIR=submissions [SHARDS=64] …
 class class-slurm: export PHOTONLAB_DIR = $(DIR)
 class class-slurm: export PHOTONLAB_ROSTER = $(ROSTER)
@@ -35,6 +35,7 @@ class class-slurm: class-tools
 # Python's copydetect, which compares code, in a folder of its own.
 ALIKE = $(BUILD)/alike/bin/python
 $(ALIKE):
+	@echo "copydetect, from PyPI: some 200 MB, once"
 	@rm -rf $(BUILD)/alike && { python3 -m venv $(BUILD)/alike && $(BUILD)/alike/bin/pip -q install copydetect==0.5.0; } || \
 	    { rm -rf $(BUILD)/alike; echo "class-alike needs copydetect: python3-venv (on Debian: apt-get install python3-venv) and a way to PyPI" >&2; exit 1; }
 

@@ -1,4 +1,5 @@
-// The file that Moodle or Canvas takes grades from: theirs, with the grades filled in->
+// The file that Moodle or Canvas takes grades from: theirs, with the grades filled in.
+#include "base/text.h"
 #include "class/table/class_table.h"
 
 #include <math.h>
@@ -6,38 +7,50 @@
 #include <string.h>
 #include <strings.h>
 
-// Canvas' columns after the section that are an assignment: "photonlab (4711)".
-static size_t count_assignments(const Csv *csv, size_t section, size_t *last)
+// Canvas' columns after the section that are an assignment, "photonlab (4711)": all, or those of that title without its
+// number. `names` lists them.
+static size_t list_assignments(const Csv *csv, size_t section, const char *wanted, size_t *last, char *names,
+                               size_t size)
 {
     size_t count = 0;
     for (size_t c = section + 1; c < csv->columns; c++) {
         const char *title = csv_cell(csv, 0, c), *id = strrchr(title, '(');
         size_t digits = id ? strspn(id + 1, "0123456789") : 0;
-        if (digits > 0 && strcmp(id + 1 + digits, ")") == 0) {
-            *last = c;
-            count++;
-        }
+        if (digits == 0 || strcmp(id + 1 + digits, ")") != 0)
+            continue;
+        bool same = !wanted || (title + strlen(wanted) + 1 == id && strncasecmp(title, wanted, strlen(wanted)) == 0);
+        if (!same)
+            continue;
+        text_append(names, size, "%sGRADE='%s'", *names ? " or " : "", title);
+        *last = c;
+        count++;
     }
     return count;
 }
 
 static bool find_canvas(const Csv *csv, Grades *in, const char *column, Error *error)
 {
+    char names[400] = "", all[400] = "";
+    size_t any;
     csv_find(csv, "Section", &in->section);
     for (size_t r = 1; r < csv->rows && in->possible == 0; r++)
         in->possible = strstr(csv_cell(csv, r, 0), "Points Possible") ? r : 0;
-    size_t count = column ? 1 : count_assignments(csv, in->section, &in->grade);
-    return count == 1 ||
-           error_set(error, "the gradebook has %zu assignments; say which: GRADE='%s', with the number behind it",
-                     count, count ? csv_cell(csv, 0, in->grade) : "photonlab (4711)");
+    if (column && csv_find(csv, column, &in->grade))
+        return true;
+    size_t count = list_assignments(csv, in->section, column, &in->grade, names, sizeof names);
+    if (count == 1)
+        return true;
+    if (count > 1)
+        return error_set(error, "the gradebook has %zu assignments; say which: %s", count, names);
+    list_assignments(csv, in->section, NULL, &any, all, sizeof all);
+    return error_set(error, "the gradebook has no assignment %s%s%s", column ? column : "like `photonlab (4711)`",
+                     *all ? "; say which: " : "", all);
 }
 
 bool grades_find(const Roster *roster, RosterKind kind, const char *column, Grades *in, Error *error)
 {
     const Csv *csv = &roster->csv;
     *in = (Grades){kind, csv->columns, csv->columns, csv->columns, csv->columns, 0};
-    if (column && !csv_find(csv, column, &in->grade))
-        return error_set(error, "the roster has no column `%s` for the grades", column);
     if (kind != roster->kind)
         return error_set(error, "%s",
                          kind == ROSTER_MOODLE
@@ -47,6 +60,8 @@ bool grades_find(const Roster *roster, RosterKind kind, const char *column, Grad
                                "Student, ID and Section");
     if (kind == ROSTER_CANVAS)
         return find_canvas(csv, in, column, error);
+    if (column && !csv_find(csv, column, &in->grade))
+        return error_set(error, "the roster has no column `%s` for the grades", column);
     csv_find(csv, "Maximum Grade", &in->maximum);
     csv_find(csv, "Grade can be changed", &in->changeable);
     return column || csv_find(csv, "Grade", &in->grade);
@@ -59,7 +74,8 @@ static const char *grade_of(const Table *table, const TableRow *row, char *text,
     const Grades *in = &table->grades;
     const Student *s = row->student;
     const char *old = csv_cell(csv, row->roster_row, in->grade);
-    if (strcmp(s->status, "not graded") == 0 ||
+    bool excused = in->kind == ROSTER_CANVAS && (strcasecmp(old, "EX") == 0 || strcmp(old, "N/A") == 0);
+    if (strcmp(s->status, "not graded") == 0 || excused ||
         (in->changeable < csv->columns && strcasecmp(csv_cell(csv, row->roster_row, in->changeable), "No") == 0))
         return old;
     double most = in->kind == ROSTER_CANVAS && in->possible > 0 ? atof(csv_cell(csv, in->possible, in->grade))

@@ -24,7 +24,7 @@ static void write_tile(FILE *stream, const Table *table, const Mistake *mistake)
 
 static void write_step(FILE *stream, const Table *table, size_t step, const Mistake *mistakes, size_t kinds)
 {
-    size_t started = 0, passed = 0, said = 0, shown = 0;
+    size_t started = 0, passed = 0, shown = 0;
     for (size_t r = 0; r < table->count; r++) {
         const char *status = table->rows[r].student->steps[step].status;
         passed += strcmp(status, "pass") == 0;
@@ -38,7 +38,6 @@ static void write_step(FILE *stream, const Table *table, size_t step, const Mist
         const Mistake *m = &mistakes[i];
         if (m->step != step)
             continue;
-        said += m->count;
         if (++shown > MOST_OF_STEP)
             continue;
         fprintf(stream, "<figure><div class=bar style=\"width:%.0f%%\"></div><b>%zu</b> ",
@@ -50,8 +49,6 @@ static void write_step(FILE *stream, const Table *table, size_t step, const Mist
     fputs("</div>\n", stream);
     if (shown > MOST_OF_STEP)
         fprintf(stream, "<p>and %zu more kinds.</p>\n", shown - MOST_OF_STEP);
-    if (started > passed + said)
-        fprintf(stream, "<p>%zu are wrong in a way that has no name.</p>\n", started - passed - said);
 }
 
 void lecture_write(FILE *stream, const Table *table)
@@ -64,7 +61,7 @@ void lecture_write(FILE *stream, const Table *table)
     fputs(page_style, stream);
     fputs("<h1>What did my class get wrong?</h1>\n", stream);
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        if (i == 0 || step_table[i].stage != step_table[i - 1].stage)
+        if (stage_counts(table, step_table[i].stage) && (i == 0 || step_table[i].stage != step_table[i - 1].stage))
             fprintf(stream, "<h2>Stage %d</h2>\n", step_table[i].stage);
         write_step(stream, table, i, mistakes, kinds);
     }

@@ -47,6 +47,8 @@ static void write_overview(FILE *stream, const Table *table)
 {
     fputs("<h2>Steps</h2>\n<table><tr><th>step<th>passed<th>wrong<th>broke off<th>not started<th></tr>\n", stream);
     for (size_t i = 0; i < STEP_COUNT; i++) {
+        if (!stage_counts(table, step_table[i].stage))
+            continue;
         size_t pass = 0, fail = 0, error = 0;
         for (size_t r = 0; r < table->count; r++) {
             const char *status = table->rows[r].student->steps[i].status;
@@ -141,6 +143,8 @@ static void write_student(FILE *stream, const Table *table, const TableRow *row)
     fprintf(stream, "<td>%s%s%s<td class=n>%.1f", s->status, roster->rows && !s->in_roster ? ", not in the roster" : "",
             s->late > 0.0 ? ", late" : "", s->points);
     for (size_t i = 0; i < STEP_COUNT; i++) {
+        if (!stage_counts(table, step_table[i].stage))
+            continue;
         if (i == 0 || step_table[i].stage != step_table[i - 1].stage)
             fprintf(stream, "<td class=m data-n=%.4g>", s->stage_points[step_table[i].stage - 1]);
         fputs(s->steps[i].there ? mark_of(s->steps[i].status) : " ", stream);
@@ -165,7 +169,8 @@ static void write_students(FILE *stream, const Table *table)
         }
     fputs("<th>submission<th>status<th>points", stream);
     for (int i = 1; i <= STAGE_COUNT; i++)
-        fprintf(stream, "<th>stage %d", i);
+        if (stage_counts(table, i))
+            fprintf(stream, "<th>stage %d", i);
     fputs("<th>remarks</tr></thead>\n<tbody hidden>\n", stream);
     for (size_t r = 0; r < table->count; r++)
         write_student(stream, table, &table->rows[r]);

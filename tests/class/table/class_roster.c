@@ -26,7 +26,12 @@ static void make_key(const char *from, size_t length, char *key)
 // The number that course systems put behind the first `_`: doejane_LATE_4711_98_x.c, Jane Doe_4711_assignsubmission_file.
 static size_t number_in(const char *name, const char **number)
 {
-    const char *at = strchr(name, '_');
+    const char *at = strchr(name, '_'), *behind = strstr(name, "_assignsubmission_");
+    if (behind) { // a group may stand before it, which may have a `_`
+        for (at = behind; at > name && isdigit((unsigned char)at[-1]);)
+            at--;
+        at = at > name && at[-1] == '_' ? at - 1 : NULL;
+    }
     if (at && strncmp(at, "_LATE_", 6) == 0)
         at += 5;
     size_t digits = at ? strspn(at + 1, "0123456789") : 0;
@@ -213,12 +218,17 @@ bool roster_read(const char *path, Roster *roster, Error *error)
     return true;
 }
 
-// The rows "Points Possible" and "Manual Posting" have no ID.
+// The rows "Points Possible" and "Manual Posting" have no ID; Canvas' own "Student, Test", the teacher who looks at the
+// course as a student, is none of the registry's.
 bool roster_is_student(const Roster *roster, size_t row)
 {
-    size_t column;
-    return roster->kind != ROSTER_CANVAS ||
-           (csv_find(&roster->csv, "ID", &column) && *csv_cell(&roster->csv, row, column) != '\0');
+    const Csv *csv = &roster->csv;
+    size_t id, registry;
+    if (roster->kind != ROSTER_CANVAS)
+        return true;
+    bool registered = csv_find(csv, "SIS User ID", &registry) && *csv_cell(csv, row, registry);
+    return csv_find(csv, "ID", &id) && *csv_cell(csv, row, id) &&
+           (registered || strcmp(csv_cell(csv, row, 0), "Student, Test") != 0);
 }
 
 void roster_free(Roster *roster)

@@ -16,6 +16,26 @@ static double number_of(const json_t *object, const char *name)
     return json_number_value(json_object_get(object, name));
 }
 
+// Of what is wrong in a way that has no name: that it did not end, or which check says so.
+static void say_check(const json_t *step, char *said, size_t size)
+{
+    const char *message = json_string_value(json_object_get(step, "message"));
+    const char *endless = message ? strstr(message, "it did not end within") : NULL;
+    size_t i;
+    json_t *check;
+    if (endless)
+        snprintf(said, size, "%s", endless);
+    else
+        json_array_foreach(json_object_get(step, "checks"), i, check)
+        {
+            char status[8], title[300];
+            copy_text(check, "status", status, sizeof status);
+            copy_text(check, "title", title, sizeof title);
+            if (!*said && strcmp(status, status_table[STATUS_FAIL].name) == 0)
+                snprintf(said, size, "wrong by the check “%s”", title);
+        }
+}
+
 static void read_step(const json_t *json, Student *student)
 {
     const char *id = json_string_value(json_object_get(json, "id"));
@@ -27,7 +47,8 @@ static void read_step(const json_t *json, Student *student)
     student->steps[i].points = number_of(json, "points");
     copy_text(json, "status", student->steps[i].status, sizeof student->steps[i].status);
     copy_text(json, "mistake", student->steps[i].mistake, sizeof student->steps[i].mistake);
-    // What broke off says how; of what is wrong the likely mistake is told, by its short name where there is no sentence.
+    // What broke off says how; of what is wrong the likely mistake is told, by its short name where there is no sentence,
+    // or which check failed.
     bool broke = strcmp(student->steps[i].status, status_table[STATUS_ERROR].name) == 0;
     copy_text(json, broke ? "message" : "looks_like", student->steps[i].said, sizeof student->steps[i].said);
     char *line = broke ? strstr(student->steps[i].said, ", line ") : NULL; // each has another, and all mean the same
@@ -35,6 +56,8 @@ static void read_step(const json_t *json, Student *student)
         *line = '\0';
     if (!*student->steps[i].said)
         copy_text(json, "mistake", student->steps[i].said, sizeof student->steps[i].said);
+    if (!*student->steps[i].said)
+        say_check(json, student->steps[i].said, sizeof student->steps[i].said);
     if (step->stage >= 1 && step->stage <= STAGE_COUNT)
         student->stage_points[step->stage - 1] += student->steps[i].points;
 }
@@ -81,9 +104,9 @@ void student_mistakes(const Student *student, char *text, size_t size)
 {
     *text = '\0';
     for (size_t i = 0; i < STEP_COUNT; i++)
-        if (*student->steps[i].mistake) {
+        if (*student->steps[i].said) {
             size_t used = strlen(text);
             snprintf(text + used, size - used, "%s%s: %s", used ? "; " : "", step_table[i].id,
-                     student->steps[i].mistake);
+                     *student->steps[i].mistake ? student->steps[i].mistake : student->steps[i].said);
         }
 }

@@ -21,6 +21,21 @@ static const char help[] =
     "  --notes PATH     where the course notes lie, seen from OUT\n"
     "  --pictures PATH  the folder with the gallery's pictures\n";
 
+bool stage_counts(const Table *table, int stage)
+{
+    double points = 0.0;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        points += step_table[i].stage == stage ? table->points.points[i] : 0.0;
+    return points > 0.0;
+}
+
+static void leave_out_stages(const Table *table, Student *student)
+{
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (!stage_counts(table, step_table[i].stage))
+            memset(&student->steps[i], 0, sizeof student->steps[i]);
+}
+
 // The roster's rows first, then whoever is not in it.
 static void order_rows(Table *table, Student *students, size_t count, Student *absent)
 {
@@ -42,15 +57,17 @@ static void order_rows(Table *table, Student *students, size_t count, Student *a
     }
 }
 
-static void write_head(FILE *stream, const Csv *roster)
+static void write_head(FILE *stream, const Table *table, const Csv *roster)
 {
     for (size_t c = 0; roster && c < roster->columns; c++)
         csv_write(stream, csv_cell(roster, 0, c), c == 0);
     fprintf(stream, "%ssubmission,status%s,points,points_max", roster ? "," : "", roster ? ",in_roster" : "");
     for (int i = 1; i <= STAGE_COUNT; i++)
-        fprintf(stream, ",stage_%d", i);
+        if (stage_counts(table, i))
+            fprintf(stream, ",stage_%d", i);
     for (size_t i = 0; i < STEP_COUNT; i++)
-        fprintf(stream, ",%s", step_table[i].id);
+        if (stage_counts(table, step_table[i].stage))
+            fprintf(stream, ",%s", step_table[i].id);
     fputs(
         ",passed,failed,errors,not_started,skipped,submitted,days_late,late_penalty,likely_mistakes,message,seconds\n",
         stream);
@@ -61,7 +78,7 @@ static void write_points(FILE *stream, double points)
     fprintf(stream, ",%.10g", round(1e4 * points) / 1e4);
 }
 
-static void write_row(FILE *stream, const Csv *roster, const TableRow *row)
+static void write_row(FILE *stream, const Table *table, const Csv *roster, const TableRow *row)
 {
     const Student *s = row->student;
     char mistakes[2048], time[40];
@@ -73,10 +90,12 @@ static void write_row(FILE *stream, const Csv *roster, const TableRow *row)
         csv_write(stream, s->in_roster ? "yes" : "no", false);
     write_points(stream, s->points);
     write_points(stream, s->points_max);
-    for (int i = 0; i < STAGE_COUNT; i++)
-        write_points(stream, s->stage_points[i]);
+    for (int i = 1; i <= STAGE_COUNT; i++)
+        if (stage_counts(table, i))
+            write_points(stream, s->stage_points[i - 1]);
     for (size_t i = 0; i < STEP_COUNT; i++)
-        write_points(stream, s->steps[i].points);
+        if (stage_counts(table, step_table[i].stage))
+            write_points(stream, s->steps[i].points);
     for (size_t i = 0; i < STATUSES; i++)
         fprintf(stream, ",%zu", student_count(s, status_table[i].name));
     strftime(time, sizeof time, "%Y-%m-%d %H:%M", localtime(&s->submitted));
@@ -92,9 +111,9 @@ static void write_row(FILE *stream, const Csv *roster, const TableRow *row)
 static void write_csv(FILE *stream, const Table *table)
 {
     const Csv *roster = table->roster.csv.rows > 0 ? &table->roster.csv : NULL;
-    write_head(stream, roster);
+    write_head(stream, table, roster);
     for (size_t r = 0; r < table->count; r++)
-        write_row(stream, roster, &table->rows[r]);
+        write_row(stream, table, roster, &table->rows[r]);
 }
 
 static bool write_to(const char *directory, const char *name, TableWriter *write, const Table *table, Error *error)
@@ -150,8 +169,10 @@ static bool run(const Arguments *a, Table *table, Error *error)
     table->rows = calloc(table->roster.csv.rows + count + 1, sizeof *table->rows);
     bool ok = names && ((students && absent && table->rows) || error_set(error, "no memory")) &&
               (!a->roster || roster_match(&table->roster, a->roster, a->column, students, count, error));
-    for (size_t i = 0; ok && i < count; i++)
+    for (size_t i = 0; ok && i < count; i++) {
+        leave_out_stages(table, &students[i]);
         student_set_late(&students[i], &table->points);
+    }
     if (ok)
         order_rows(table, students, count, absent);
     ok = ok && write_all(a, table, error);

@@ -44,10 +44,10 @@ typedef struct {
     double late, penalty; // days, begun ones are whole, after the day of the stage that was due first; points taken off
     bool in_roster, has_page;
     struct {
-        char status[8], mistake[64], said[400]; // the mistake's name, and what students read of it, or of the crash
+        char status[8], mistake[64], said[400]; // the mistake's name, or ""; what went wrong in words, or ""
         double points;
         bool there;
-    } steps[STEP_COUNT];
+    } steps[STEP_COUNT]; // all empty where a step is not in the course
 } Student;
 
 void student_read(const char *directory, const char *name, Student *student);
@@ -66,7 +66,7 @@ typedef struct {
 } Roster;
 
 bool roster_read(const char *path, Roster *roster, Error *error);
-bool roster_is_student(const Roster *roster, size_t row); // Canvas has rows of another kind
+bool roster_is_student(const Roster *roster, size_t row); // Canvas has rows of other kinds
 // Finds the column that matches most submissions, or takes `wanted`; fills in `of` and in_roster, and submitted where a
 // column tells it. False when nobody is in it. A warning to stderr when few are.
 bool roster_match(Roster *roster, const char *path, const char *wanted, Student *students, size_t count, Error *error);
@@ -105,6 +105,9 @@ typedef struct {
 Mistake *mistakes_find(const Table *table, size_t *count, size_t **who);
 bool mistake_has_tile(const Table *table, const Mistake *mistake, char *path, size_t size); // the picture's path
 void mistake_write(FILE *stream, const Table *table, const Mistake *mistake);               // with a link to its tile
+
+// Is there something to be had in it? What is not in the course (`stages 3`) is none of the table and the pages.
+bool stage_counts(const Table *table, int stage);
 
 typedef void TableWriter(FILE *stream, const Table *table);
 TableWriter page_write, page_write_spread, lecture_write, grades_write;

@@ -33,12 +33,17 @@ Student,ID,SIS User ID,SIS Login ID,Section,Essay (5),photonlab (77),Final Score
 "O'Hara, Rae",4712,s2,rae,A,,7,
 "Roe, Zoë",4713,s3,zoe,B,,,
 "Nobody, Nora",4799,s9,nora,B,,,
+"Ill, Ivo",4798,s8,ivo,B,,EX,
+"Else, Eva",4797,s7,eva,B,,N/A,
+"Student, Test",4900,,7c2f,A,,,
 END
     grade canvas PHOTONLAB_ROSTER="$work/gradebook.csv" PHOTONLAB_FORMAT=canvas &&
         bad "canvas: takes any of two assignments"
-    says "2 assignments; say which: GRADE=" "$work/canvas-out-said" "canvas: which assignment?"
+    says "2 assignments; say which: GRADE='Essay (5)' or GRADE='photonlab (77)'" "$work/canvas-out-said" "canvas: which assignment?"
+    grade canvas PHOTONLAB_ROSTER="$work/gradebook.csv" PHOTONLAB_FORMAT=canvas PHOTONLAB_GRADE=photon && bad "canvas: half a name"
+    says "no assignment photon; say which: GRADE='Essay" "$work/canvas-out-said" "canvas: which there are"
     printf '%s\n' 'late 10' | cat "$PHOTONLAB_POINTS" - >"$work/late.txt"
-    grade canvas PHOTONLAB_ROSTER="$work/gradebook.csv" PHOTONLAB_FORMAT=canvas PHOTONLAB_GRADE="photonlab (77)" \
+    grade canvas PHOTONLAB_ROSTER="$work/gradebook.csv" PHOTONLAB_FORMAT=canvas PHOTONLAB_GRADE=photonlab \
         PHOTONLAB_POINTS="$work/late.txt" ||
         bad "canvas: $(cat "$work/canvas-out-said")"
     same_file "$work/canvas-out/canvas.csv" "canvas: its gradebook comes back with that column alone" <<'END'
@@ -49,9 +54,16 @@ Student,ID,SIS User ID,SIS Login ID,Section,photonlab (77)
 "O'Hara, Rae",4712,s2,rae,A,1.00
 "Roe, Zoë",4713,s3,zoe,B,1.00
 "Nobody, Nora",4799,s9,nora,B,0.00
+"Ill, Ivo",4798,s8,ivo,B,EX
+"Else, Eva",4797,s7,eva,B,N/A
 END
+    says "to be uploaded: $work/canvas-out/canvas.csv" "$work/canvas-out-said" "canvas: the file for it is named"
+    says '^Student,.*,stage_1,stage_2,stage_3,1.1,.*,3.5,passed,' "$work/canvas-out/class.csv" \
+        "canvas: no columns for stages that are worth nothing"
+    ok "canvas: nor in the page" not grep -qE 'stage 4|>4\.1<' "$work/canvas-out/index.html"
+    in_table canvas-out ',4714,' ',1,0,0,14,0,' "canvas: nor are they called not started"
     in_table canvas-out 4712 'Canvas says that it is late' "canvas: who is late, and that nobody knows by how much"
-    check "$(grep -c . "$work/canvas-out/class.csv") == 6" "canvas: rows that are no student's are none of the table"
+    check "$(grep -c . "$work/canvas-out/class.csv") == 8" "canvas: rows that are no student's are none of the table"
     "$build/class_table" --points "$PHOTONLAB_POINTS" --notes "../my notes" --pictures course_notes/figures "$work/canvas-out" \
         "$work/canvas-out/.parts/.names"
     says 'href="../my%20notes/gallery.html#m-1-1-straight-back">picture</a><td><a href="roezo' "$work/canvas-out/index.html" \
@@ -62,7 +74,7 @@ END
 # One zip of folders that begin with a name and the worksheet's number; the worksheet says when each was handed in.
 check_moodle() {
     local in=$work/x/moodle name
-    for name in "Jane Doe_815" "Jane Doe_816" "Ann B_817"; do
+    for name in "Jane Doe_815" "lab_1-Jane Doe_816" "Ann B_817"; do
         mkdir -p "$in/${name}_assignsubmission_file" "$in/${name}_assignsubmission_onlinetext"
         cp "$solved/$reflect" "$in/${name}_assignsubmission_file/"
         echo hello >"$in/${name}_assignsubmission_onlinetext/onlinetext.html"
