@@ -11,6 +11,7 @@
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 . tests/common.sh
+unset MAKEFLAGS MFLAGS MAKEOVERRIDES MAKELEVEL # or its makes would wait for a job of the one that started it
 trials=$PWD/tests/extend
 tree=$work/tree
 mkdir "$tree"
