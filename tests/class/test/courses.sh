@@ -69,6 +69,14 @@ END
     says 'href="../my%20notes/gallery.html#m-1-1-straight-back">picture</a><td><a href="roezo' "$work/canvas-out/index.html" \
         "canvas: a mistake leads to its picture, and to whose it is"
     says '<b>1</b> the photon is sent straight back.*<img' "$work/canvas-out/lecture.html" "canvas: a picture for the lecture"
+    mkdir "$work/nameless" "$work/nameless/ann" && printf 'ann\0' >"$work/nameless/names"
+    echo '{"status": "graded"}' >"$work/nameless/ann/graded.json"
+    echo '{"steps": [{"id": "1.1", "status": "fail", "message": "expected 3; later on it did not end within 18 s"},
+        {"id": "2.2", "status": "fail", "checks": [{"title": "Lobes turn", "status": "fail"}]}]}' >"$work/nameless/ann/report.json"
+    "$build/class_table" --points "$PHOTONLAB_POINTS" "$work/nameless" "$work/nameless/names"
+    in_table nameless ann '1.1: it did not end within 18 s; 2.2: wrong by the check “Lobes turn”' \
+        "class: what is wrong without a name is told in words"
+    says '<td>2.2<td>wrong by the check' "$work/nameless/index.html" "class: on its page, too"
 }
 
 # One zip of folders that begin with a name and the worksheet's number; the worksheet says when each was handed in.
