@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 extern char **environ;
@@ -116,4 +117,21 @@ void process_kill(Process *process)
         process->pid = 0;
     }
     close_output(process);
+}
+
+void process_end(Process *process)
+{
+    bool there = process->pid > 0 && kill(-process->pid, SIGTERM) == 0;
+    pid_t group = process->pid;
+    int status;
+    // Its first process may end before the rest of its group, which keeps the number from being given to others.
+    for (int waited = 0; there && waited < 300; waited++) { // ms
+        process_has_ended(process, &status);
+        there = kill(-group, 0) == 0;
+        if (there)
+            nanosleep(&(struct timespec){0, 1000000}, NULL);
+    }
+    if (there)
+        kill(-group, SIGKILL);
+    process_kill(process);
 }

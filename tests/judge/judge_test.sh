@@ -205,6 +205,20 @@ stages 1" 0 "5 of 5 points"
 table "none" "stages 99" 2 "how many stages"
 table "picture" "picture 120" 2 "a percentage from 0 to 100"
 
+# Asked to end at any moment, as by ctrl-C or a newer save in the preview, it leaves nothing behind: bubblewrap's second process
+# would wait for its first for ever, or run what it was given.
+left() { ps -eo ppid,stat,comm,pid | awk '$1 == 1 && $2 !~ /^Z/ && $3 ~ /^(bwrap|probe|cc)$/ { print $4 }' | sort; }
+left >"$work/before"
+for moment in $(seq 10 59); do
+    setsid "${judge[@]}" --step 1.2 >"$work/out" 2>&1 &
+    sleep "0.0$moment"
+    kill -TERM $! 2>/dev/null
+    wait $! 2>/dev/null
+done
+sleep 1
+left | comm -13 "$work/before" - >"$work/out"
+ok "ended at fifty moments, the judge leaves no process" not test -s "$work/out"
+
 # Without a sandbox: loud, and not for credit.
 export PHOTONLAB_SANDBOX=none
 judged 0 "NO SANDBOX" --step 1.2

@@ -39,7 +39,7 @@ void judging_stop(Judging *judging)
 {
     if (!judging)
         return;
-    process_kill(&judging->judge);
+    process_end(&judging->judge);
     free(judging->command);
     free(judging);
 }
@@ -53,7 +53,7 @@ void judging_want(Judging *judging, Verdicts *verdicts, size_t step, bool soon)
         return;
     if (judging->step != step) // that one waits
         judging_want(judging, verdicts, judging->step, false);
-    process_kill(&judging->judge);
+    process_end(&judging->judge);
 }
 
 // The judge's line, or, where there is none, its last words.
@@ -100,11 +100,11 @@ const StepInfo *judging_poll(Judging *judging, Verdicts *verdicts)
     }
     process_read(&judging->judge, judging->text, sizeof judging->text, &judging->size);
     if (clock_seconds() - judging->started > LONGEST)
-        process_kill(&judging->judge);
+        process_end(&judging->judge);
     else if (!process_has_ended(&judging->judge, &status))
         return NULL;
     process_read(&judging->judge, judging->text, sizeof judging->text, &judging->size);
-    process_kill(&judging->judge);
+    process_end(&judging->judge);
     take_verdict(judging, verdicts);
     return &step_table[judging->step];
 }

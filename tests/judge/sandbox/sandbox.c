@@ -127,6 +127,7 @@ bool sandbox_run(SandboxKind kind, const SandboxRun *run, SandboxResult *result,
     result->memory_mb = run->memory_mb;
     Launch launch;
     int out;
+    sandbox_run_begins();
     bool ok = prepare(kind, run, &launch, error);
     pid_t child = ok ? start(kind, run, &launch, &out, error) : -1;
     if (child > 0) {
@@ -134,6 +135,7 @@ bool sandbox_run(SandboxKind kind, const SandboxRun *run, SandboxResult *result,
         close(out);
     }
     clear(kind, run, &launch);
+    sandbox_run_ends();
     if (child > 0 && kind == SANDBOX_BUBBLEWRAP && result->exit_code == 1 && strncmp(result->text, "bwrap: ", 7) == 0)
         return error_set(error, "%.*s", (int)strcspn(result->text, "\n"), result->text);
     return child > 0;

@@ -68,6 +68,11 @@ bool sandbox_filter_enter(const Launch *launch);
 // In the child: it is killed when the judge ends, however that ends, where the kernel can.
 void sandbox_end_with_parent(void);
 
+// Around each run. SIGHUP, SIGINT and SIGTERM end what is in a sandbox, and then the judge, by the last run's end.
+void sandbox_run_begins(void);
+bool sandbox_asked_to_end(void);
+void sandbox_run_ends(void);
+
 // Arguments of bwrap around those of the run.
 bool sandbox_bubblewrap(const SandboxRun *run, Launch *launch, Error *error);
 

@@ -80,7 +80,7 @@ void sandbox_watch(pid_t child, int out, const SandboxRun *run, SandboxResult *r
     bool more = true, ended = false;
     int state = 0;
     struct rusage usage;
-    while (!ended && !result->timed_out) {
+    while (!ended && !result->timed_out && !sandbox_asked_to_end()) {
         struct pollfd wait = {more ? out : -1, POLLIN, 0};
         if (poll(&wait, 1, more ? 20 : 2) > 0)
             more = read_some(out, result, &used);
