@@ -84,12 +84,16 @@ save() {
     mv "$work/saved" "$student/$1"
 }
 
-# picture_now NAME: the window's own snapshot, by its key. It says so when the file is whole.
+# picture_now NAME: the window's own snapshot, by its key. It says so when the file is whole. A key pressed before the server has
+# brought the pointer into the window goes nowhere, so it is pressed again; that a key works is told by keys.sh.
 picture_now() {
-    local told
+    local told attempt
     told=$(lines_of 'snapshot\.png$')
-    key s
-    wait_for 10 said_again 'snapshot\.png$' "$told" && cp "$work/snapshot.png" "$work/$1.png"
+    for attempt in 1 2 3; do
+        key s
+        wait_for 8 said_again 'snapshot\.png$' "$told" && cp "$work/snapshot.png" "$work/$1.png" && return
+    done
+    return 1
 }
 
 key() {
