@@ -27,7 +27,8 @@ void process_read(Process *process, char *text, size_t size, size_t *used);
 bool process_has_ended(Process *process, int *status);
 // Kills it and all that it started, and closes its output.
 void process_kill(Process *process);
-// Asks it to end and to end what it started; what has not ended after 0.3 s is killed.
+// Asks it to end and to end what it started; what has not ended after 0.3 s is killed. A shell in between has to `exec`, so that nobody
+// waits for the dead of its group.
 void process_end(Process *process);
 
 #endif

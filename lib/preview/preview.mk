@@ -7,7 +7,7 @@ PREVIEW_SNAPSHOT = $(BUILD)/preview.png
 
 # What a stage is about is what its preview renders; its own scene is left with its steps.
 STAGE_FLAGS      = $(if $(filter undefined file,$(origin SCENE)),--stage $(or $(STAGE),1))
-PREVIEW_JUDGE    = $(call quoted,nice $(JUDGE) --build $(BUILD) --work $(BUILD)/verdicts --code $(call quoted,$(CODE)) --jobs 1 --lines --step "$$1" 2>&1)
+PREVIEW_JUDGE    = $(call quoted,exec nice $(JUDGE) --build $(BUILD) --work $(BUILD)/verdicts --code $(call quoted,$(CODE)) --jobs 1 --lines --step "$$1" 2>&1)
 PREVIEW_FLAGS    = --code '$(CODE_BUILD)' --watch $(call quoted,$(CODE_SOURCE)) --build $(STEP_COMMAND) --report '$(BUILD)/report/index.html'
 
 .PHONY: preview snapshot

@@ -82,7 +82,7 @@ idle() {
 
 # As lib/preview/preview.mk starts it. At the beginning it has all steps to judge.
 judge() {
-    echo "nice '$build/judge' --build '$build' --work '$work/verdicts' --code '$student' --jobs 1 --lines --step \"\$1\" 2>&1"
+    echo "exec nice '$build/judge' --build '$build' --work '$work/verdicts' --code '$student' --jobs 1 --lines --step \"\$1\" 2>&1"
 }
 
 all_judged() {
