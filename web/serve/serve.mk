@@ -58,7 +58,7 @@ tab-tools:
 	[ -n "$(PREBUILT_WASM)$(STEP_SOURCES)" ] || { echo "This archive was made without the browser's part; ask your teacher for one that has it." >&2; exit 1; }
 
 TAB_SERVE = $(SERVE) $(TAB) --watch $(call quoted,$(CODE_SOURCE)) --code $(call quoted,$(TAB_CODE)) --build $(call quoted,$(TAB_COMPILE)) \
-            --link $(call quoted,$(TAB_LINK)) --scene $(call quoted,$(notdir $(PREVIEW_SCENE))) $(if $(STAGE_FLAGS),$(STAGE_FLAGS)) $(if $(PORT),--port $(PORT))
+            --link $(call quoted,$(TAB_LINK)) --scene $(call quoted,$(notdir $(PREVIEW_SCENE))) $(STAGE_FLAGS) $(if $(PORT),--port $(PORT))
 TAB_OBJECTS = $(patsubst $(CODE_SOURCE)/%.c,$(TAB_CODE)/%.so,$(wildcard $(addprefix $(CODE_SOURCE)/,$(STEP_FILES))))
 tab: all meshes code-there $(SERVE) $(TAB)/photonlab.wasm $(TAB)/tab.html $(TAB)/tab.js $(TAB_OBJECTS)
 
