@@ -59,11 +59,12 @@ static void show_files(Words *words, const SandboxRun *run)
         bind_path(words, "--bind", run->writable);
 }
 
+// No session of its own in there: it is in none with a terminal already, and what stays in its group ends with that.
 bool sandbox_bubblewrap(const SandboxRun *run, Launch *launch, Error *error)
 {
-    static const char *const fixed[] = {"--unshare-all", "--unshare-user", "--as-pid-1", "--die-with-parent",
-                                        "--new-session", "--cap-drop",     "ALL",        "--hostname",
-                                        "sandbox"};
+    static const char *const fixed[] = {"--unshare-all",     "--unshare-user", "--as-pid-1",
+                                        "--die-with-parent", "--cap-drop",     "ALL",
+                                        "--hostname",        "sandbox"};
     char *program = sandbox_find_program("bwrap");
     if (!program)
         return error_set(error, "bubblewrap is not installed");

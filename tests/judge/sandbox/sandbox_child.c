@@ -134,6 +134,7 @@ void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launc
     const char *path = launch->arguments.list[0], *problem;
     sigset_t none;
     setsid();
+    sandbox_group_begins();
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
     for (int number = 1; number < 32; number++)

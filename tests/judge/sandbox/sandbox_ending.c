@@ -1,7 +1,9 @@
-// The judge is asked to end, by ctrl-C, a newer save, a limit of time: what it started ends first, by its group. Killed with the judge,
-// bubblewrap may leave its second process for ever: until that one is told who it is it knows of no parent whose end is its own.
+// However the judge ends, what it started ends with it, by its group. Asked to end, by ctrl-C, a newer save, a limit of time, the judge does
+// that itself. For when it is killed a small process of ours waits at a pipe that the judge alone holds open. The kernel's signal
+// at a parent's death is not enough: it reaches nobody who has not yet asked for it, and bubblewrap's second process asks last.
 #include "judge/sandbox/sandbox_parts.h"
 
+#include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
@@ -9,6 +11,68 @@
 static volatile sig_atomic_t asked; // the signal
 static int running;                 // runs, by all threads
 static pthread_once_t once = PTHREAD_ONCE_INIT;
+
+static int witness = -1; // writes: pid of what begins, -pid of what ended
+
+#define MOST_AT_ONCE 1024
+
+// What the pipe said is running ends when the pipe's last writer has.
+static void wait_for_the_end(int from)
+{
+    static pid_t groups[MOST_AT_ONCE];
+    pid_t told;
+    for (int number = 1; number < 32; number++)
+        signal(number, SIG_IGN);
+    while (read(from, &told, sizeof told) == sizeof told)
+        for (int i = 0; i < MOST_AT_ONCE; i++)
+            if (groups[i] == (told > 0 ? 0 : -told)) {
+                groups[i] = told > 0 ? told : 0;
+                break;
+            }
+    for (int i = 0; i < MOST_AT_ONCE; i++)
+        if (groups[i])
+            kill(-groups[i], SIGKILL);
+    _exit(0);
+}
+
+// In a session, and under a name, of its own: what ends the judge's group, or all of its name, spares it.
+static void call_witness(void)
+{
+    int ends[2];
+    if (pipe(ends) != 0)
+        return;
+    pid_t child = fork();
+    if (child == 0) {
+        setsid();
+        int name = open("/proc/self/comm", O_WRONLY);
+        ssize_t ignored = write(name, "sandbox's end", 13);
+        (void)ignored;
+        dup2(ends[0], 0);
+        for (int fd = 1; fd < 4096; fd++)
+            close(fd);
+        wait_for_the_end(0);
+    }
+    close(ends[0]);
+    witness = child > 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0 ? ends[1] : -1;
+}
+
+static void tell(pid_t what)
+{
+    ssize_t ignored = witness >= 0 ? write(witness, &what, sizeof what) : 0;
+    (void)ignored;
+}
+
+void sandbox_group_begins(void)
+{
+    tell(getpid());
+}
+
+void sandbox_group_ends(pid_t group)
+{
+    kill(-group, SIGKILL);
+    kill(group, SIGKILL);
+    tell(-group);
+}
 
 static void end_by(int number)
 {
@@ -34,6 +98,12 @@ static void take_signals(void)
             sigaction(numbers[i], &action, NULL);
 }
 
+static void prepare(void)
+{
+    call_witness();
+    take_signals();
+}
+
 bool sandbox_asked_to_end(void)
 {
     return asked != 0;
@@ -41,7 +111,7 @@ bool sandbox_asked_to_end(void)
 
 void sandbox_run_begins(void)
 {
-    pthread_once(&once, take_signals);
+    pthread_once(&once, prepare);
     __sync_add_and_fetch(&running, 1);
     if (asked)
         sandbox_run_ends();

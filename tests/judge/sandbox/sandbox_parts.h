@@ -68,8 +68,11 @@ bool sandbox_filter_enter(const Launch *launch);
 // In the child: it is killed when the judge ends, however that ends, where the kernel can.
 void sandbox_end_with_parent(void);
 
-// Around each run. SIGHUP, SIGINT and SIGTERM end what is in a sandbox, and then the judge, by the last run's end.
+// Around each run. SIGHUP, SIGINT and SIGTERM end what is in a sandbox, and then the judge, by the last run's end; when the judge is
+// killed, a process that waits for that ends them.
 void sandbox_run_begins(void);
+void sandbox_group_begins(void);      // in the child, before it is anything else: its group is to end with the judge
+void sandbox_group_ends(pid_t group); // ends it; before its number is free for others
 bool sandbox_asked_to_end(void);
 void sandbox_run_ends(void);
 

@@ -90,8 +90,7 @@ void sandbox_watch(pid_t child, int out, const SandboxRun *run, SandboxResult *r
         ended = waitid(P_PID, (id_t)child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
         result->timed_out = !ended && sandbox_waits_too_long(child, run, &waiting);
     }
-    kill(-child, SIGKILL);
-    kill(child, SIGKILL);
+    sandbox_group_ends(child);
     while (wait4(child, &state, 0, &usage) < 0 && errno == EINTR)
         continue;
     // Reads what is still in the pipe. It ends when the last process that holds it does; a process that left the group may

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <grp.h>
+#include <poll.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -56,9 +57,16 @@ static bool keeps_both_ends(const SandboxResult *r)
            strstr(r->text, "the end\n");
 }
 
+// The kernel counts by ticks what it limits, so that what is told afterwards, which is exact, may be less, and of one that waits often
+// more. Hence no lower bound: "now and then" stays below its second.
+static bool ends_at_its_limit(const SandboxResult *r)
+{
+    return !r->timed_out && (r->signal == SIGXCPU || r->signal == SIGKILL);
+}
+
 static bool takes_its_second(const SandboxResult *r)
 {
-    return r->cpu_seconds > 0.9 && r->cpu_seconds < 3.0 && (r->signal == SIGXCPU || r->signal == SIGKILL);
+    return ends_at_its_limit(r) && r->cpu_seconds < 3.0;
 }
 
 static bool times_out(const SandboxResult *r)
@@ -118,6 +126,50 @@ static void nothing_left_behind(void **state)
     assert_int_not_equal(system("pgrep -f 'test_sandbox --inside behin[d]' >/dev/null"), 0);
 }
 
+// A judge of its own, to be killed: `test_sandbox --sleep KIND COMPILER`. What runs for it holds descriptor 3.
+static int sleep_for_ever(const char *asked, bool compiler)
+{
+    static SandboxResult result;
+    const char *const arguments[] = {self, "--inside", "sleep", "", NULL};
+    Error error = {""};
+    for (kind = SANDBOX_BUBBLEWRAP; strcmp(asked, sandbox_name(kind)) != 0;)
+        kind++;
+    SandboxRun run = {.arguments = arguments,
+                      .visible = {self},
+                      .result_fd = 3,
+                      .compiler = compiler,
+                      .cpu_seconds = 5,
+                      .wall_seconds = 300,
+                      .memory_mb = 256,
+                      .file_mb = 1};
+    return !sandbox_run(kind, &run, &result, &error);
+}
+
+// Killed at any moment, it takes with it what it started: bubblewrap's two processes, too, while one does not know the other.
+static void nothing_outlives_a_kill(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 100; i++) {
+        int ends[2];
+        assert_int_equal(pipe(ends), 0);
+        pid_t judge = fork();
+        if (judge == 0) {
+            dup2(ends[1], 3);
+            for (int fd = 4; fd < 16; fd++)
+                close(fd);
+            execl(self, self, "--sleep", sandbox_name(kind), i % 2 ? "compiler" : "probe", (char *)NULL);
+            _exit(3);
+        }
+        close(ends[1]);
+        usleep((useconds_t)i * 250); // all it has to do until then takes some 10 ms
+        kill(judge, SIGKILL);
+        waitpid(judge, NULL, 0);
+        struct pollfd last = {.fd = ends[0]};
+        assert_int_equal(poll(&last, 1, 20000), 1);
+        close(ends[0]);
+    }
+}
+
 // An exposed secret is no reason for bubblewrap, which does not show it; the user of its own would read it.
 static void exposed_secret(void **state)
 {
@@ -151,11 +203,17 @@ static const Case everywhere[] = {
      NULL,
      -1,
      0,
-     takes_its_second,
+     ends_at_its_limit,
      {.cpu_seconds = 1, .wall_seconds = NO_WALL}},
     {"ends an endless loop", "spin", NULL, -1, 0, takes_its_second, {.cpu_seconds = 1, .wall_seconds = NO_WALL}},
     {"ends one that waits for ever", "sleep", NULL, -1, 0, times_out, {.wall_seconds = 0.5}},
-    {"lets one go on that gets a processor now and then", "now and then", NULL, 0, 0, NULL, {.wall_seconds = 1}},
+    {"lets one go on that gets a processor now and then, and takes less than its second",
+     "now and then",
+     NULL,
+     0,
+     0,
+     NULL,
+     {.cpu_seconds = 1, .wall_seconds = 1}},
     {"waits for one that closed its output", "closed", NULL, 0, 0, is_waited_for, {0}},
     {"refuses memory beyond the limit", "memory", NULL, 77, 0, NULL, {0}},
     {"tells of a signal", "abort", NULL, -1, 0, NULL, {0}},
@@ -190,14 +248,15 @@ static int test_kind(void)
         printf("○ %s: not here: %s\n", sandbox_name(kind), reason);
         return 0;
     }
-    struct CMUnitTest tests[COUNT(everywhere) + COUNT(confined) + 4] = {
+    struct CMUnitTest tests[COUNT(everywhere) + COUNT(confined) + 5] = {
         {.name = "gives descriptor 3 and no other", .test_func = descriptors},
         {.name = "runs 8 at once", .test_func = eight_at_once},
+        {.name = "takes with it what it started when it is killed", .test_func = nothing_outlives_a_kill},
         {.name = "leaves no process behind", .test_func = nothing_left_behind},
         {.name = "minds a secret that others can read, or hides it", .test_func = exposed_secret},
     };
     bool none = kind == SANDBOX_NONE;
-    size_t count = none ? 2 : 4; // the last two are about a sandbox
+    size_t count = none ? 3 : 5; // the last two are about a sandbox
     size_t without = kind == SANDBOX_UID && !sandbox_landlock_is_there(false) ? BY_LANDLOCK : 0;
     for (size_t i = 0; i < COUNT(everywhere) + (none ? 0 : COUNT(confined) - without); i++) {
         const Case *c = i < COUNT(everywhere) ? &everywhere[i] : &confined[i - COUNT(everywhere)];
@@ -234,6 +293,9 @@ int main(int count, char **arguments)
 {
     if (count == 4 && strcmp(arguments[1], "--inside") == 0)
         return inside(arguments[2], arguments[3]);
+    snprintf(self, sizeof self, "%s", arguments[0]);
+    if (count == 4 && strcmp(arguments[1], "--sleep") == 0)
+        return sleep_for_ever(arguments[2], strcmp(arguments[3], "compiler") == 0);
     if (count > 4)
         return 2;
     char copy[1024];
