@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs fuzzers one after the other, each from seeds. Usage: fuzz.sh BUILD SECONDS NAME…; what they found stays in
+# Runs fuzzers, one on each processor, each from seeds. Usage: fuzz.sh BUILD SECONDS NAME…; what they found stays in
 # BUILD/fuzz/corpus_NAME, what broke them in BUILD/fuzz.
 set -u
 build=$1
@@ -8,7 +8,7 @@ shift 2
 scratch=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d) # in memory: a file for each run
 trap 'rm -rf "$scratch"' EXIT
 export TMPDIR=$scratch
-TIMEFORMAT=%0U
+TIMEFORMAT='%U %S'
 tiny=(--size 9x7 --photons 99 --samples 1 --quiet)
 
 # seeds NAME: files that the program reads or writes, into the folder.
@@ -71,22 +71,24 @@ dictionaries() {
     cp "$build/fuzz/scene.dict" "$build/fuzz/integrators.dict"
 }
 
-failed=0
-dictionaries || exit 1
-for name in "$@"; do
-    corpus=$build/fuzz/corpus_$name
+# fuzz NAME: for so many seconds of a processor, however many others share it.
+fuzz() {
+    local corpus=$build/fuzz/corpus_$1 log=$build/fuzz/$1.log dictionary=$build/fuzz/$1.dict mark=✓
     mkdir -p "$corpus"
-    seeds "$name" || exit 1
-    log=$build/fuzz/$name.log
-    dictionary=$build/fuzz/$name.dict
-    mark=✓
+    seeds "$1" || return 1
     # The clock of -timeout is the wall's: so much that other work on the machine is no fault of a reader.
-    { time "$build/fuzz/fuzz_$name" -max_total_time="$seconds" -timeout=120 -max_len=16384 -print_final_stats=1 \
-        -artifact_prefix="$build/fuzz/" $([ ! -f "$dictionary" ] || echo "-dict=$dictionary") "$corpus" >"$log" 2>&1; } 2>"$scratch/time" ||
-        mark=✗ failed=1
-    printf '%s %-12s %s s, %s of a processor: %s runs, %s edges from seeds, %s at the end\n' $mark "$name" "$seconds" "$(tail -1 "$scratch/time")" \
+    { time FUZZ_SECONDS=$seconds "$build/fuzz/fuzz_$1" -timeout=120 -max_len=16384 -print_final_stats=1 \
+        -artifact_prefix="$build/fuzz/" $([ ! -f "$dictionary" ] || echo "-dict=$dictionary") "$corpus" >"$log" 2>&1; } 2>"$scratch/$1.time" || mark=✗
+    printf '%s %-12s %s s of a processor: %s runs, %s edges from seeds, %s at the end\n' $mark "$1" "$(awk 'END { printf "%.0f", $1 + $2 }' "$scratch/$1.time")" \
         "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$(sed -n 's/.*INITED cov: \([0-9]*\).*/\1/p' "$log")" \
         "$(sed -n 's/^#.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -1)"
-    [ $mark = ✓ ] || tail -30 "$log"
+    [ $mark = ✓ ] || { tail -30 "$log" && return 1; }
+}
+
+dictionaries || exit 1
+for name in "$@"; do
+    [ "$(jobs -rp | wc -l)" -lt "$(nproc)" ] || wait -n
+    fuzz "$name" || : >"$scratch/failed" &
 done
-exit $failed
+wait
+[ ! -e "$scratch/failed" ]
