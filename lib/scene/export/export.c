@@ -43,10 +43,10 @@ void export_note(const Export *e, const char *format, ...)
     e->notes.take(e->notes.user, words);
 }
 
-// ---- what formats have in common ----
+// ---- materials and lights ----
 
 // cosⁿα ≈ exp(−nα²/2) about the mirror direction; a facet turns by half of α, and Beckmann's facets lie as exp(−tan²θ/roughness²).
-ExportGlossy export_glossy(const Export *e, const Material *material)
+static ExportGlossy glossy_of(const Export *e, const Material *material)
 {
     float diffuse = colour_max(material->diffuse), specular = colour_max(material->specular);
     float n = fmaxf(material->exponent, 0.5f);
@@ -65,21 +65,54 @@ ExportGlossy export_glossy(const Export *e, const Material *material)
     return g;
 }
 
-bool export_is_plain(const Export *e, const Material *material)
+// One that does not shine. False, with the error: it reflects by a rule of its own.
+static bool declare(const Export *e, const ExportFormat *format, const Material *material, const char *name)
 {
     const MaterialKind *kind = material_kind(material);
     bool own_lobe = kind->lobe && !kind->cosine_lobe;
     bool own_turn = kind->turn && kind != material_kinds[MATERIAL_MIRROR];
-    bool shines = kind->optics == OPTICS_LIGHT;
-    return !(own_lobe || own_turn || shines) ||
-           error_set(e->error, "the material '%s' treats light by a rule of its own, which %s does not know",
-                     material->name, e->renderer);
+    ExportGlossy glossy;
+    if (own_lobe || own_turn || kind->optics == OPTICS_LIGHT)
+        return error_set(e->error, "the material '%s' treats light by a rule of its own, which %s does not know",
+                         material->name, e->renderer);
+    switch (kind->optics) {
+    case OPTICS_ROUGH:
+        if (!kind->cosine_lobe) {
+            format->diffuse(e, name, material->diffuse);
+        } else {
+            glossy = glossy_of(e, material);
+            format->glossy(e, name, &glossy);
+        }
+        break;
+    case OPTICS_MIRROR:
+        format->mirror(e, name, material);
+        break;
+    case OPTICS_GLASS:
+        format->glass(e, name, material);
+        break;
+    case OPTICS_LIGHT:
+        break; // its shape shines
+    }
+    return true;
 }
 
-Colour export_intensity(const Light *light)
+static void write_light(const Export *e, const ExportFormat *format, const Light *light)
 {
     float share = light->type == LIGHT_SPOT ? 0.5f * (1.0f - light->cos_cone) : 1.0f; // of all directions
-    return colour_scale(light->power, 1.0f / (4.0f * PI * share));
+    switch (light->type) {
+    case LIGHT_POINT:
+    case LIGHT_SPOT:
+        format->light(e, light, colour_scale(light->power, 1.0f / (4.0f * PI * share)));
+        break;
+    case LIGHT_BEAM:
+        export_note(e,
+                    "a beam is left out: %s has no lamp of parallel light with an edge that a path tracer could find",
+                    e->renderer);
+        break;
+    case LIGHT_RECTANGLE:
+    case LIGHT_SPHERE:
+        break; // shapes
+    }
 }
 
 // ---- meshes ----
@@ -183,7 +216,7 @@ static bool write_material(const Export *e, const ExportFormat *format, size_t n
     char name[100], file[4096];
     snprintf(name, sizeof name, "%zu_%s", number + 1, material->name);
     make_plain(name);
-    if (!lamp && !(export_is_plain(e, material) && format->material(e, material, name)))
+    if (!lamp && !declare(e, format, material, name))
         return false;
     MeshContent content = mesh_content(scene, number);
     if (content.triangles > 0) {
@@ -214,8 +247,7 @@ bool export_write(const Scene *scene, const RenderSettings *settings, const char
     for (size_t i = 0; i < scene->material_count && ok; i++)
         ok = write_material(&e, format, i, path);
     for (size_t i = 0; i < scene->light_count && ok; i++)
-        if (scene->lights[i].primitive == NO_PRIMITIVE)
-            format->light(&e, &scene->lights[i]);
+        write_light(&e, format, &scene->lights[i]);
     format->end(&e);
     return file_write_end(&writer, ok, error);
 }

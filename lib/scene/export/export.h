@@ -22,16 +22,27 @@ typedef struct {
     Error *error;
 } Export;
 
+// A glossy material as others have it, a mixture of Lambert and a rough mirror: that much of the latter, …
+typedef struct {
+    float share;
+    Colour diffuse, specular; // their reflectances, 0…1
+    float roughness; // … whose microfacets (Beckmann) are as wide as the lobe about the mirror direction: α = 1/√(2n)
+} ExportGlossy;
+
 // A renderer's language. Its functions are called from top to bottom.
 typedef struct {
     const char *ending, *renderer;
     void (*begin)(const Export *e, const RenderSettings *settings);
-    // Declares one that does not shine; false, with the error, when there is no way to say it.
-    bool (*material)(const Export *e, const Material *material, const char *name);
+    // Declare a material under its name.
+    void (*diffuse)(const Export *e, const char *name, Colour reflectance);
+    void (*glossy)(const Export *e, const char *name, const ExportGlossy *glossy);
+    void (*mirror)(const Export *e, const char *name, const Material *material);
+    void (*glass)(const Export *e, const char *name, const Material *material);
     // Shapes of that material. Where it shines, `lamp` is not NULL and the material was not declared.
     void (*mesh)(const Export *e, const char *file, bool has_normals, const char *name, const Light *lamp);
     void (*sphere)(const Export *e, const Sphere *sphere, const char *name, const Light *lamp);
-    void (*light)(const Export *e, const Light *light); // one without a surface
+    void (*light)(const Export *e, const Light *light,
+                  Colour intensity); // a point or a spot light; its intensity is in W/sr
     void (*end)(const Export *e);
 } ExportFormat;
 
@@ -47,22 +58,7 @@ bool export_path_is_known(const char *path, Error *error);
 bool export_write(const Scene *scene, const RenderSettings *settings, const char *path, ExportNotes notes,
                   Error *error);
 
-// ---- for the formats ----
-
+// What a format tells of what is lost.
 void export_note(const Export *e, const char *format, ...);
-
-// A glossy material as others have it, a mixture of Lambert and a rough mirror: that much of the latter, …
-typedef struct {
-    float share;
-    Colour diffuse, specular; // their reflectances, 0…1
-    float roughness; // … whose microfacets (Beckmann) are as wide as the lobe about the mirror direction: α = 1/√(2n)
-} ExportGlossy;
-ExportGlossy export_glossy(const Export *e, const Material *material);
-
-// False, with the error: the material reflects by a rule of its own.
-bool export_is_plain(const Export *e, const Material *material);
-
-// W/sr of a point or spot light.
-Colour export_intensity(const Light *light);
 
 #endif

@@ -51,57 +51,54 @@ static void begin(const Export *e, const RenderSettings *settings)
             settings->samples, settings->width, settings->height);
 }
 
-static void put_diffuse(const Export *e, Colour reflectance)
+static void put_matt(const Export *e, Colour reflectance)
 {
     fprintf(e->stream, "<bsdf type=\"diffuse\">");
     put_colour(e, "reflectance", reflectance);
     fprintf(e->stream, "</bsdf>");
 }
 
-static void put_rough(const Export *e, const Material *material)
+static void begin_twosided(const Export *e, const char *name)
 {
-    if (!material_kind(material)->cosine_lobe) {
-        put_diffuse(e, material->diffuse);
-        return;
-    }
-    ExportGlossy glossy = export_glossy(e, material);
-    fprintf(e->stream, "<bsdf type=\"blendbsdf\">");
-    put_float(e, "weight", glossy.share);
-    put_diffuse(e, glossy.diffuse);
-    fprintf(e->stream, "<bsdf type=\"roughconductor\"><string name=\"material\" value=\"none\"/>");
-    put_float(e, "alpha", glossy.roughness);
-    put_colour(e, "specular_reflectance", glossy.specular);
-    fprintf(e->stream, "</bsdf></bsdf>");
+    fprintf(e->stream, "<bsdf type=\"twosided\" id=\"%s\">", name);
 }
 
-static bool put_material(const Export *e, const Material *material, const char *name)
+static void put_diffuse(const Export *e, const char *name, Colour reflectance)
 {
-    switch (material_kind(material)->optics) {
-    case OPTICS_ROUGH:
-        fprintf(e->stream, "<bsdf type=\"twosided\" id=\"%s\">", name);
-        put_rough(e, material);
-        fprintf(e->stream, "</bsdf>\n");
-        return true;
-    case OPTICS_MIRROR:
-        fprintf(e->stream,
-                "<bsdf type=\"twosided\" id=\"%s\"><bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/>",
-                name);
-        put_colour(e, "specular_reflectance", material->specular);
-        fprintf(e->stream, "</bsdf></bsdf>\n");
-        return true;
-    case OPTICS_GLASS:
-        if (material->disperses)
-            export_note(e, "%s: %s's glass has one index: it has that for green, and does not disperse", material->name,
-                        e->renderer);
-        fprintf(e->stream, "<bsdf type=\"dielectric\" id=\"%s\">", name);
-        put_float(e, "ext_ior", 1.0f);
-        put_float(e, "int_ior", material->index[1]);
-        fprintf(e->stream, "</bsdf>\n");
-        return true;
-    case OPTICS_LIGHT:
-        break; // its shape shines
-    }
-    return false;
+    begin_twosided(e, name);
+    put_matt(e, reflectance);
+    fprintf(e->stream, "</bsdf>\n");
+}
+
+static void put_glossy(const Export *e, const char *name, const ExportGlossy *glossy)
+{
+    begin_twosided(e, name);
+    fprintf(e->stream, "<bsdf type=\"blendbsdf\">");
+    put_float(e, "weight", glossy->share);
+    put_matt(e, glossy->diffuse);
+    fprintf(e->stream, "<bsdf type=\"roughconductor\"><string name=\"material\" value=\"none\"/>");
+    put_float(e, "alpha", glossy->roughness);
+    put_colour(e, "specular_reflectance", glossy->specular);
+    fprintf(e->stream, "</bsdf></bsdf></bsdf>\n");
+}
+
+static void put_mirror(const Export *e, const char *name, const Material *material)
+{
+    begin_twosided(e, name);
+    fprintf(e->stream, "<bsdf type=\"conductor\"><string name=\"material\" value=\"none\"/>");
+    put_colour(e, "specular_reflectance", material->specular);
+    fprintf(e->stream, "</bsdf></bsdf>\n");
+}
+
+static void put_glass(const Export *e, const char *name, const Material *material)
+{
+    if (material->disperses)
+        export_note(e, "%s: %s's glass has one index: it has that for green, and does not disperse", material->name,
+                    e->renderer);
+    fprintf(e->stream, "<bsdf type=\"dielectric\" id=\"%s\">", name);
+    put_float(e, "ext_ior", 1.0f);
+    put_float(e, "int_ior", material->index[1]);
+    fprintf(e->stream, "</bsdf>\n");
 }
 
 static void note_spectrum(const Export *e, const Light *light)
@@ -115,7 +112,7 @@ static void end_shape(const Export *e, const char *name, const Light *lamp)
 {
     if (lamp) {
         note_spectrum(e, lamp);
-        put_diffuse(e, colour_grey(0.0f)); // which is black from behind, as a lamp is
+        put_matt(e, colour_grey(0.0f)); // which is black from behind, as a lamp is
         fprintf(e->stream, "<emitter type=\"area\">");
         put_colour(e, "radiance", lamp->radiance);
         fprintf(e->stream, "</emitter></shape>\n");
@@ -140,31 +137,20 @@ static void put_sphere(const Export *e, const Sphere *sphere, const char *name, 
     end_shape(e, name, lamp);
 }
 
-static void put_light(const Export *e, const Light *light)
+static void put_light(const Export *e, const Light *light, Colour intensity)
 {
     Vec3 d = light->direction;
+    bool is_spot = light->type == LIGHT_SPOT;
     note_spectrum(e, light);
-    switch (light->type) {
-    case LIGHT_POINT:
-        fprintf(e->stream, "<emitter type=\"point\">");
-        put_three(e, "point", "position", light->position);
-        break;
-    case LIGHT_SPOT:
-        fprintf(e->stream, "<emitter type=\"spot\">");
+    fprintf(e->stream, "<emitter type=\"%s\">", is_spot ? "spot" : "point");
+    if (is_spot) {
         put_float(e, "cutoff_angle", acosf(light->cos_cone) * (180.0f / PI));
         put_float(e, "beam_width", acosf(light->cos_cone) * (180.0f / PI)); // it does not fade towards its edge
         put_look(e, light->position, d, fabsf(d.y) < 0.9f ? vec3(0, 1, 0) : vec3(1, 0, 0));
-        break;
-    case LIGHT_BEAM:
-        export_note(e,
-                    "a beam is left out: %s has no lamp of parallel light with an edge that a path tracer could find",
-                    e->renderer);
-        return;
-    case LIGHT_RECTANGLE:
-    case LIGHT_SPHERE:
-        return; // shapes
+    } else {
+        put_three(e, "point", "position", light->position);
     }
-    put_colour(e, "intensity", export_intensity(light));
+    put_colour(e, "intensity", intensity);
     fprintf(e->stream, "</emitter>\n");
 }
 
@@ -173,4 +159,5 @@ static void end(const Export *e)
     fprintf(e->stream, "</scene>\n");
 }
 
-const ExportFormat export_mitsuba = {".xml", "Mitsuba 3", begin, put_material, put_mesh, put_sphere, put_light, end};
+const ExportFormat export_mitsuba = {".xml",    "Mitsuba 3", begin,      put_diffuse, put_glossy, put_mirror,
+                                     put_glass, put_mesh,    put_sphere, put_light,   end};

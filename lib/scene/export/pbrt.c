@@ -52,11 +52,16 @@ static void name_material(const Export *e, const char *name, const char *suffix,
     fprintf(e->stream, "MakeNamedMaterial \"%s%s\" \"string type\" [\"%s\"]", name, suffix, type);
 }
 
-static void put_diffuse(const Export *e, const char *name, const char *suffix, Colour reflectance)
+static void put_matt(const Export *e, const char *name, const char *suffix, Colour reflectance)
 {
     name_material(e, name, suffix, "diffuse");
     put_colour(e, "reflectance", reflectance);
     fprintf(e->stream, "\n");
+}
+
+static void put_diffuse(const Export *e, const char *name, Colour reflectance)
+{
+    put_matt(e, name, "", reflectance);
 }
 
 static void put_conductor(const Export *e, const char *name, const char *suffix, Colour reflectance, float roughness)
@@ -67,22 +72,23 @@ static void put_conductor(const Export *e, const char *name, const char *suffix,
     fprintf(e->stream, " \"bool remaproughness\" [false]\n");
 }
 
-static void put_rough(const Export *e, const Material *material, const char *name)
+static void put_glossy(const Export *e, const char *name, const ExportGlossy *glossy)
 {
-    if (!material_kind(material)->cosine_lobe) {
-        put_diffuse(e, name, "", material->diffuse);
-        return;
-    }
-    ExportGlossy glossy = export_glossy(e, material);
-    put_diffuse(e, name, ".matt", glossy.diffuse);
-    put_conductor(e, name, ".lobe", glossy.specular, glossy.roughness);
+    put_matt(e, name, ".matt", glossy->diffuse);
+    put_conductor(e, name, ".lobe", glossy->specular, glossy->roughness);
     name_material(e, name, "", "mix");
     fprintf(e->stream, " \"string materials\" [\"%s.matt\" \"%s.lobe\"]", name, name);
-    put_float(e, "amount", glossy.share); // of the second
+    put_float(e, "amount", glossy->share); // of the second
     fprintf(e->stream, "\n");
 }
 
-static void put_glass(const Export *e, const Material *material, const char *name)
+static void put_mirror(const Export *e, const char *name, const Material *material)
+{
+    export_note(e, "%s: %s's mirrors are metals, which reflect more at grazing angles", material->name, e->renderer);
+    put_conductor(e, name, "", material->specular, 0.0f);
+}
+
+static void put_glass(const Export *e, const char *name, const Material *material)
 {
     name_material(e, name, "", "dielectric");
     if (!material->disperses) {
@@ -99,26 +105,6 @@ static void put_glass(const Export *e, const Material *material, const char *nam
         fprintf(e->stream, " ]");
     }
     fprintf(e->stream, "\n");
-}
-
-static bool put_material(const Export *e, const Material *material, const char *name)
-{
-    switch (material_kind(material)->optics) {
-    case OPTICS_ROUGH:
-        put_rough(e, material, name);
-        return true;
-    case OPTICS_MIRROR:
-        export_note(e, "%s: %s's mirrors are metals, which reflect more at grazing angles", material->name,
-                    e->renderer);
-        put_conductor(e, name, "", material->specular, 0.0f);
-        return true;
-    case OPTICS_GLASS:
-        put_glass(e, material, name);
-        return true;
-    case OPTICS_LIGHT:
-        break; // its shape shines
-    }
-    return false;
 }
 
 // pbrt scales a table to luminance 1, which `scale` then multiplies. A line becomes a band, or pbrt would hardly ever draw it.
@@ -169,27 +155,17 @@ static void put_sphere(const Export *e, const Sphere *sphere, const char *name, 
     fprintf(e->stream, "\nAttributeEnd\n");
 }
 
-static void put_light(const Export *e, const Light *light)
+static void put_light(const Export *e, const Light *light, Colour intensity)
 {
-    switch (light->type) {
-    case LIGHT_POINT:
-        fprintf(e->stream, "LightSource \"point\"");
-        break;
-    case LIGHT_SPOT:
-        fprintf(e->stream, "LightSource \"spot\"");
+    bool is_spot = light->type == LIGHT_SPOT;
+    fprintf(e->stream, "LightSource \"%s\"", is_spot ? "spot" : "point");
+    if (is_spot) {
         put_float(e, "coneangle", acosf(light->cos_cone) * (180.0f / PI));
         put_float(e, "conedeltaangle", 0.0f); // it does not fade towards its edge
         put_point(e, "to", vec3_add(light->position, light->direction));
-        break;
-    case LIGHT_BEAM:
-        export_note(e, "a beam is left out: %s has no lamp of parallel light with an edge", e->renderer);
-        return;
-    case LIGHT_RECTANGLE:
-    case LIGHT_SPHERE:
-        return; // shapes
     }
     put_point(e, "from", light->position);
-    put_emission(e, "I", light, export_intensity(light));
+    put_emission(e, "I", light, intensity);
     fprintf(e->stream, "\n");
 }
 
@@ -198,4 +174,5 @@ static void end(const Export *e)
     (void)e;
 }
 
-const ExportFormat export_pbrt = {".pbrt", "pbrt-v4", begin, put_material, put_mesh, put_sphere, put_light, end};
+const ExportFormat export_pbrt = {".pbrt",   "pbrt-v4", begin,      put_diffuse, put_glossy, put_mirror,
+                                  put_glass, put_mesh,  put_sphere, put_light,   end};
