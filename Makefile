@@ -100,6 +100,9 @@ quoted = '$(subst ','\'',$(1))'
 Q   = $(if $(V),,@)
 say = @$(if $(V),:,echo "  $(1) $(2)")
 
+# A line with a make of its own runs under `make -n`, too; where it does more than make, it ends there at once.
+ONLY_SHOWN = $(if $(findstring n,$(firstword -$(MAKEFLAGS))),exit;)
+
 .PHONY: all
 all: $(PROGRAM) $(STEPS)
 
@@ -183,7 +186,7 @@ meshes: $(MESHES)
 
 ##maintainer check  all tests but the long ones above (five minutes); make help-checks lists them
 check:
-	@bash tests/check.sh $(MAKE) $(filter-out %.d,$(MAKEFILE_LIST))
+	@$(ONLY_SHOWN) bash tests/check.sh $(MAKE) $(filter-out %.d,$(MAKEFILE_LIST))
 
 ## compile_commands.json  for editors; `make setup` makes it, too
 compile_commands.json:

@@ -20,7 +20,7 @@ WEB_OF_ITSELF = if [ -z "$(HAVE_PREVIEW)" ] || { [ -z "$$DISPLAY$$WAYLAND_DISPLA
     echo "There is no OpenGL here, and no display: your photons come to the browser."; web=1; fi
 preview: all meshes code-built
 	@[ -x $(JUDGE) ] || echo "  building the judge"
-	+@if $(MAKE) --no-print-directory judge >$(BUILD)/judge.log 2>&1; then set -- --judge $(PREVIEW_JUDGE); \
+	+@$(ONLY_SHOWN) if $(MAKE) --no-print-directory judge >$(BUILD)/judge.log 2>&1; then set -- --judge $(PREVIEW_JUDGE); \
 	else echo "the judge does not build here, see $(BUILD)/judge.log: the preview judges nothing"; set --; fi; \
 	web='$(WEB)'; [ -n "$$web" ] || { $(WEB_OF_ITSELF); }; \
 	if [ "$${web:-0}" != 0 ]; then $(MAKE) --no-print-directory tab-tools && $(MAKE) --no-print-directory tab && exec $(TAB_SERVE) "$$@"; \

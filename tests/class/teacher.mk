@@ -49,7 +49,7 @@ handout: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/handout)
 handout: export PHOTONLAB_VERSION = $(VERSION)
 handout: export PHOTONLAB_WITH_SOLUTIONS = $(WITH_SOLUTIONS)
 handout: all $(CLASS_TABLE)
-	+@if $(MAKE) --no-print-directory tab-parts >$(BUILD)/tab.log 2>&1; then export PHOTONLAB_TAB=$(TAB); else \
+	+@$(ONLY_SHOWN) if $(MAKE) --no-print-directory tab-parts >$(BUILD)/tab.log 2>&1; then export PHOTONLAB_TAB=$(TAB); else \
 	echo "without the browser's part (make preview WEB=1), which does not build here: see $(BUILD)/tab.log; make setup WEB=1"; fi; \
 	bash tests/class/handout.sh
 
