@@ -39,13 +39,11 @@ static void save_snapshot(App *app)
 static void open_report(App *app)
 {
     const char *report = app->session.options->report;
-    FILE *file = report ? fopen(report, "rb") : NULL;
-    if (!file) {
+    if (!report || access(report, R_OK) != 0) {
         snprintf(app->session.build, sizeof app->session.build, "no report yet: run `make report`");
         puts(app->session.build);
         return;
     }
-    fclose(file);
     pid_t child = fork();
     if (child == 0) {
         execlp("xdg-open", "xdg-open", report, (char *)NULL);
@@ -55,26 +53,25 @@ static void open_report(App *app)
     printf("the report: %s\n", report);
 }
 
-// Slow light starts at the lamps, or ends.
+// Slow light starts at the lamps, where the view shows it, or ends.
 static void toggle_flight(App *app)
 {
+    if (!app->flying && !view_type(&app->view)->in_flight)
+        return;
     app->flying = !app->flying;
     app->flight_started = clock_seconds();
     app->view.flight = app->flying ? 0.0 : -1.0;
 }
 
-static void toggle_flight_where_it_shows(App *app)
+static bool choose_view(App *app)
 {
-    if (view_type(&app->view)->in_flight)
-        toggle_flight(app);
-}
-
-static void choose_view(App *app)
-{
+    if (app->key < '1' || app->key >= '1' + VIEW_COUNT)
+        return false;
     session_stop_render(&app->session);
     app->view.kind = (ViewKind)(app->key - '1');
     if (app->flying && !view_type(&app->view)->in_flight)
         toggle_flight(app);
+    return true;
 }
 
 // Arrows change what the present view chooses.
@@ -204,7 +201,7 @@ static const struct {
     {"mouse", "left: turn. right: move. wheel: near, far", NULL, .keys = {0}},
     {"f", "frame the scene", frame_all, .keys = {'f'}},
     {"0", "the scene's camera", look_as_at_first, .keys = {'0'}},
-    {"space", "slow light: photons in order of flight", toggle_flight_where_it_shows, .keys = {' '}},
+    {"space", "slow light: photons in order of flight", toggle_flight, .keys = {' '}},
     {"+ -", "more, fewer photons", change_photons, .keys = {'+', '-'}},
     {"r", "another seed", change_seed, .keys = {'r'}},
     {"t", "the panel, on and off", toggle_panel, .keys = {'t'}},
@@ -245,10 +242,7 @@ static bool act(App *app)
                     *(bool *)((char *)app + KEYS[i].toggle) ^= true;
                 return true;
             }
-    if (app->repeat || app->key < '1' || app->key >= '1' + VIEW_COUNT)
-        return !app->repeat && toggle_setting(app);
-    choose_view(app);
-    return true;
+    return !app->repeat && (choose_view(app) || toggle_setting(app));
 }
 
 void app_key(App *app, int key)

@@ -1,6 +1,7 @@
 #include "scene/export/export.h"
 #include "scene/material_kind.h"
 #include "base/file.h"
+#include "base/text.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -20,9 +21,7 @@ static const ExportFormat *format_of(const char *path, Error *error)
     for (size_t i = 0; i < FORMAT_COUNT; i++) {
         if (file_ends_in(path, formats[i]->ending))
             return formats[i];
-        size_t used = strlen(known);
-        snprintf(known + used, sizeof known - used, "%s%s (%s)", i == 0 ? "" : " or ", formats[i]->ending,
-                 formats[i]->renderer);
+        text_append(known, sizeof known, "%s%s (%s)", i == 0 ? "" : " or ", formats[i]->ending, formats[i]->renderer);
     }
     error_set(error, "%s: unknown ending; expected %s", path, known);
     return NULL;
