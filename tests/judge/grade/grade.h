@@ -36,6 +36,9 @@ typedef struct {
 void grade_step(const GradeOptions *options, const StepInfo *step, StepResult *result);
 void step_result_free(StepResult *result);
 
+// Runs and judges the checks of one kind (called alone or in scenes). STATUS_ERROR: the code did not get through.
+Status run_checks(const GradeOptions *options, const StepChecks *checks, bool scene, int round, StepResult *result);
+
 // Runs the cases in the sandbox. `numbers` gets one entry a case (those never reached: NULL); *storage owns them.
 // STATUS_PASS when all went through.
 Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, char *const *lines, size_t count,
