@@ -1,8 +1,5 @@
-// The preview's view: wireframes, colours, what is chosen of the photons; and what all that looks like.
-#include "unit/preview/canvas_leaks.h"
-#include "preview/draw/context/context.h"
-#include "preview/view/view_internal.h"
-#include "unit/test_common.h"
+// The preview's view: wireframes, colours, what is chosen of the photons.
+#include "unit/preview/view_helpers.h"
 
 #include <dirent.h>
 
@@ -42,18 +39,6 @@ TEST(brightness_does_not_depend_on_the_number)
     assert_true(a.g > 100 && a.g < 160 && a.b == 0);
     Rgba dark = rgba_of_power(colour(NAN, -1, 0), 1);
     assert_int_equal(dark.r, 0);
-}
-
-// The same photons as a view has them.
-static Recording recording_of(const Scene *scene, long emitted)
-{
-    PhotonPass pass = photons_of(scene, emitted, 1, PLAY_DEFAULT);
-    Recording recording = {.count = pass.rest.count, .emitted = emitted};
-    recording.photons = calloc(pass.rest.count + 1, sizeof *recording.photons);
-    assert_non_null(recording.photons);
-    for (size_t i = 0; i < recording.count; i++)
-        recording.photons[i] = (RecordedPhoton){pass.rest.photons[i], (float)(i * 7919 % 1000) * 0.01f};
-    return recording;
 }
 
 TEST(the_prisms_colours_choose_the_screen)
@@ -162,19 +147,6 @@ TEST(words_fit)
     assert_true(strlen(small) < sizeof small);
 }
 
-static double mean_brightness(Canvas *canvas)
-{
-    size_t count = (size_t)canvas_width(canvas) * (size_t)canvas_height(canvas);
-    uint8_t *bytes = malloc(count * 4);
-    assert_non_null(bytes);
-    canvas_read(canvas, bytes);
-    double sum = 0;
-    for (size_t i = 0; i < count; i++)
-        sum += (double)bytes[4 * i] + (double)bytes[4 * i + 1] + (double)bytes[4 * i + 2] - 30.0; // over the background
-    free(bytes);
-    return sum / (double)count / 3.0;
-}
-
 // What a view must not leave out, by name; and that no file of a view is left out of the list.
 TEST(every_view_is_whole_and_listed)
 {
@@ -206,90 +178,6 @@ TEST(every_view_is_whole_and_listed)
             fail_msg("lib/preview/view/%s: views.def has no view of this name", entry->d_name);
     }
     closedir(folder);
-}
-
-// In the panel's corner: the plate behind a fault is red, and grey while the next build runs.
-static void check_plate(Canvas *canvas, const View *view, ViewData *data, Captions *captions)
-{
-    size_t at = 4 * (6 * (size_t)canvas_width(canvas) + (size_t)view_area(canvas, view).width + 2);
-    uint8_t *bytes = malloc(4 * (size_t)canvas_width(canvas) * (size_t)canvas_height(canvas));
-    assert_non_null(bytes);
-    for (int old = 0; old < 2; old++) {
-        captions->banner_is_old = old;
-        view_draw(canvas, view, data, NULL, captions);
-        canvas_read(canvas, bytes);
-        int redder = bytes[at] - bytes[at + 2];
-        assert_true(old ? abs(redder) < 20 && bytes[at] > 40 : redder > 60);
-    }
-    free(bytes);
-}
-
-// Pixel by pixel, each step has a place in the panel, and none has one over the picture.
-static void check_places(Canvas *canvas, const View *view)
-{
-    bool met[STEP_COUNT] = {false};
-    int width = view_area(canvas, view).width, count = 0;
-    for (int y = 0; y < canvas_height(canvas); y++)
-        for (int x = 0; x < canvas_width(canvas); x++) {
-            int step = panel_step_at(canvas, view, (float)x, (float)y);
-            assert_true(step < STEP_COUNT && (step < 0 || x >= width));
-            count += step >= 0 && !met[step];
-            met[step < 0 ? 0 : step] |= step >= 0;
-        }
-    assert_int_equal(count, STEP_COUNT);
-}
-
-// Every view at the smallest size; points as bright whether a tenth or all of them is drawn.
-TEST(every_view_draws)
-{
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-    Error error = {""};
-    Context *context = context_create(CONTEXT_ANY, &error);
-    if (!context) {
-        print_message("skipped: %s\n", error.message);
-        skip();
-    }
-    Canvas *canvas = canvas_create(context_loader(context), 400, 300, &error);
-    assert_non_null(canvas);
-    Scene *scene = scene_from_file("scenes/box_diffuse.yaml");
-    ViewData *data = view_data_create(canvas, scene), *empty = view_data_create(canvas, scene);
-    assert_true(data && empty);
-    View view = view_default(scene);
-    Captions captions = {.help = "keys", .status = "status"};
-    view_draw(canvas, &view, empty, NULL, &captions); // nothing is there yet
-    view_data_record(data, recording_of(scene, 100000));
-    view.wireframe = false;
-    view.panel = 0;
-    view_draw(canvas, &view, data, NULL, &captions);
-    double all = mean_brightness(canvas);
-    view.most_points = view_data_recording(data)->count / 10;
-    view_draw(canvas, &view, data, NULL, &captions);
-    double part = mean_brightness(canvas);
-    assert_true(all > 8 && part / all > 0.6 && part / all < 1.6);
-    view.flight = 1.0; // a tenth of them
-    view.most_points = 0;
-    view_draw(canvas, &view, data, NULL, &captions);
-    assert_true(mean_brightness(canvas) < 0.3 * all);
-    view.flight = -1;
-    view.panel = 20;
-    captions.banner = "1.3_scatter_diffuse.c:14: scatter_diffuse: segmentation fault, wrapped because it is long";
-    check_plate(canvas, &view, data, &captions);
-    check_places(canvas, &view);
-    view.wireframe = view.split = view.help = true;
-    for (int kind = 0; kind < VIEW_COUNT; kind++)
-        for (int colour = 0; colour < COLOUR_COUNT; colour++) {
-            view.kind = (ViewKind)kind;
-            view.colour = (ColourMode)colour;
-            view_draw(canvas, &view, data, empty, &captions);
-            char text[256] = "";
-            view_type(&view)->describe(&view, data, text, sizeof text);
-            assert_true(strlen(text) > 10);
-        }
-    view_data_free(data);
-    view_data_free(empty);
-    canvas_free(canvas);
-    context_free(context);
 }
 
 AROUND_TESTS(load_reference_steps, NULL)
