@@ -89,15 +89,12 @@ static Station station_of(int number)
     return s;
 }
 
-static double drawn(uint64_t seed, int station, int use)
-{
-    return (double)(hash_u64(seed ^ hash_u64((uint64_t)station * 64 + (uint64_t)use)) >> 11) / 9007199254740992.0;
-}
-
+// Each station has 64 numbers of its own.
 static Vec3d irradiance_of(uint64_t seed, int station)
 {
-    return vec3d_rounded(
-        vec3d(2.0 + drawn(seed, station, 0), 3.0 + drawn(seed, station, 1), 4.0 + drawn(seed, station, 2)));
+    int first = 64 * station;
+    return vec3d(drawn_input(seed, first, 2, 3), drawn_input(seed, first + 1, 3, 4),
+                 drawn_input(seed, first + 2, 4, 5));
 }
 
 static long calls_of(const Station *s)
@@ -113,7 +110,8 @@ static void plan_kind(Plan *plan, Kind kind)
         double angle = s.degrees * (double)PI / 180.0;
         Vec3d e = irradiance_of(plan->seed, i);
         for (int t = 0; s.kind == kind && t < TRIES; t++) {
-            double x = s.x + 0.2 * drawn(plan->seed, i, 10 + t) - 0.1, z = 0.8 * drawn(plan->seed, i, 20 + t) - 0.4;
+            double x = s.x + drawn_input(plan->seed, 64 * i + 10 + t, -0.1, 0.1);
+            double z = drawn_input(plan->seed, 64 * i + 20 + t, -0.4, 0.4);
             plan_call_in(plan, SCENE, calls_of(&s), (double[]){e.x, e.y, e.z, x, s.y, z, sin(angle), -cos(angle), 0.0},
                          9);
         }

@@ -13,11 +13,6 @@
 static const double pi = 3.14159265358979323846;
 static const Vec3d irradiance = {2.0, 3.0, 4.0};
 
-static double drawn(uint64_t seed, int use)
-{
-    return (double)(hash_u64(seed ^ hash_u64((uint64_t)use + 977)) >> 11) / 9007199254740992.0;
-}
-
 static size_t plan_hit(Plan *plan, Vec3d from, Vec3d to)
 {
     Vec3d d = vec3d_unit(vec3d_along(to, from, -1.0));
@@ -51,7 +46,7 @@ static Vec3d sum_of_seen(const float *seen)
 // On the floor, two walls and the ceiling.
 static void plan_uniform(Plan *plan)
 {
-    double a = drawn(plan->seed, 0) - 0.5, b = drawn(plan->seed, 1) - 0.5;
+    double a = drawn_input(plan->seed, 977, -0.5, 0.5), b = drawn_input(plan->seed, 978, -0.5, 0.5);
     const Vec3d middle = {10, 0.75, 0};
     plan_hit(plan, middle, vec3d(10 + a, 0, b));
     plan_hit(plan, middle, vec3d(9, 0.75 + a, b));
@@ -96,7 +91,7 @@ typedef struct {
 
 static Point point_of(int i, uint64_t seed)
 {
-    double a = 0.3 * (drawn(seed, 10 + i) - 0.5), b = 0.3 * (drawn(seed, 20 + i) - 0.5);
+    double a = drawn_input(seed, 987 + i, -0.15, 0.15), b = drawn_input(seed, 997 + i, -0.15, 0.15);
     const Point points[POINTS] = {
         {"a point on the floor", FLOOR, {0.3 + a, 0, -0.3 + b}, {0, 1, 0}},
         {"a point on the left wall", LEFT, {-1, 0.7 + a, 0.4 + b}, {1, 0, 0}},
@@ -274,4 +269,5 @@ DEFINE_CHECKS(gather_hemisphere,
                false},
               {"cells", "Each cell has what its own ray brought, and how far it flew", CHECK_VALUES, plan_cells,
                judge_cells, false},
-              {"random", "Rays follow the random numbers", CHECK_INVARIANT, plan_cells, judge_random, false}, PICTURE(4))
+              {"random", "Rays follow the random numbers", CHECK_INVARIANT, plan_cells, judge_random, false},
+              PICTURE(4))

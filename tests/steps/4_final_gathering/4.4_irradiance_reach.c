@@ -27,18 +27,14 @@ static const Sight sights[] = {
 };
 #define SIGHTS (int)(sizeof sights / sizeof *sights)
 
-static double drawn(uint64_t seed, int use)
-{
-    return (double)(hash_u64(seed ^ hash_u64((uint64_t)use)) >> 11) / 9007199254740992.0;
-}
-
 // As float. Near and far lie mixed, as the seed has it.
 static double distance_of(int sight, int cell, uint64_t seed)
 {
     const Sight *s = &sights[sight];
     if (s->near == 0.0)
-        return (double)(float)(0.2 * pow(30.0, drawn(seed, sight * 1000 + cell)));
-    int place = (cell * 149 + (int)(drawn(seed, sight) * CELLS_ALL)) % CELLS_ALL; // 149 has no divisor of their number
+        return drawn_magnitude(seed, sight * 1000 + cell, 0.2, 6.0);
+    int place =
+        (cell * 149 + (int)drawn_input(seed, sight, 0.0, CELLS_ALL)) % CELLS_ALL; // 149 has no divisor of their number
     return place < s->near_share * CELLS_ALL ? s->near : s->far;
 }
 

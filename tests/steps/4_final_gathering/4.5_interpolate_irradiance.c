@@ -20,7 +20,7 @@ typedef struct {
 
 static float drawn(uint64_t seed, int use, float low, float high)
 {
-    return low + (high - low) * (float)((double)(hash_u64(seed ^ hash_u64((uint64_t)use)) >> 11) / 9007199254740992.0);
+    return (float)drawn_input(seed, use, (double)low, (double)high);
 }
 
 static Vec3d widened(Vec3 v)
@@ -73,54 +73,39 @@ typedef struct {
 
 typedef struct {
     const char *what;
-    float accuracy, height, degrees; // of the place and its normal
     Beside estimates[2];
+    float height, degrees; // of the place, and of its normal
+    float accuracy;        // 0: 0.25
 } Setting;
 
 enum { red = 0, blue = 1 };
 
 #define BESIDE(x_, z_, reach_, hue_) .x = x_, .z = z_, .reach = reach_, .hue = hue_
 static const Setting settings[] = {
-    {"one estimate, at its own place", 0.25f, 0, 0, {{BESIDE(0, 0, 1, red)}}},
-    {"one estimate, halfway to where it ends to serve", 0.25f, 0, 0, {{BESIDE(0.125f, 0, 1, red)}}},
+    {"one estimate, at its own place", .estimates = {{BESIDE(0, 0, 1, red)}}},
+    {"one estimate, halfway to where it ends to serve", .estimates = {{BESIDE(0.125f, 0, 1, red)}}},
     {"two estimates of equal reach, one three times as far as the other",
-     0.25f,
-     0,
-     0,
-     {{BESIDE(0.05f, 0, 1, red)}, {BESIDE(0, -0.15f, 1, blue)}}},
+     .estimates = {{BESIDE(0.05f, 0, 1, red)}, {BESIDE(0, -0.15f, 1, blue)}}},
     {"two estimates equally far, one with three times the reach",
-     0.25f,
-     0,
-     0,
-     {{BESIDE(0.15f, 0, 1, red)}, {BESIDE(0, -0.15f, 3, blue)}}},
+     .estimates = {{BESIDE(0.15f, 0, 1, red)}, {BESIDE(0, -0.15f, 3, blue)}}},
     {"two estimates equally far, one of them turned by 9°",
-     0.25f,
-     0,
-     0,
-     {{BESIDE(0.05f, 0, 1, red)}, {BESIDE(0, -0.05f, 1, blue), .degrees = 9}}},
-    {"one estimate, 0.3 of its reach away, at an accuracy of 0.25", 0.25f, 0, 0, {{BESIDE(0, 0.6f, 2, red)}}},
-    {"one estimate, turned by 20°, at an accuracy of 0.25", 0.25f, 0, 0, {{BESIDE(0.01f, 0, 1, red), .degrees = 20}}},
-    {ABOVE_ONE, 0.25f, 0, 0, {{BESIDE(0.05f, 0, 1, red)}}},
-    {"one estimate, the place 0.1 m below its surface, R = 1 m", 0.25f, -0.1f, 0, {{BESIDE(0, 0, 1, red)}}},
-    {"one estimate, the place 0.1 m above its surface, R = 1 m", 0.25f, 0.1f, 0, {{BESIDE(0, 0, 1, red)}}},
+     .estimates = {{BESIDE(0.05f, 0, 1, red)}, {BESIDE(0, -0.05f, 1, blue), .degrees = 9}}},
+    {"one estimate, 0.3 of its reach away, at an accuracy of 0.25", .estimates = {{BESIDE(0, 0.6f, 2, red)}}},
+    {"one estimate, turned by 20°, at an accuracy of 0.25", .estimates = {{BESIDE(0.01f, 0, 1, red), .degrees = 20}}},
+    {ABOVE_ONE, .estimates = {{BESIDE(0.05f, 0, 1, red)}}},
+    {"one estimate, the place 0.1 m below its surface, R = 1 m", .estimates = {{BESIDE(0, 0, 1, red)}},
+     .height = -0.1f},
+    {"one estimate, the place 0.1 m above its surface, R = 1 m", .estimates = {{BESIDE(0, 0, 1, red)}}, .height = 0.1f},
     {"one estimate, the place 0.01 m below its surface, which is allowed for R = 1 m",
-     0.25f,
-     -0.01f,
-     0,
-     {{BESIDE(0, 0, 1, red)}}},
-    {"one estimate with a slope, 0.1 m away", 0.25f, 0, 0, {{BESIDE(-0.1f, 0, 1, red), .slope = 8}}},
-    {"one estimate that changes as its normal turns, by 5°", 0.25f, 0, 5, {{BESIDE(0, 0, 1, blue), .turning = 6}}},
+     .estimates = {{BESIDE(0, 0, 1, red)}}, .height = -0.01f},
+    {"one estimate with a slope, 0.1 m away", .estimates = {{BESIDE(-0.1f, 0, 1, red), .slope = 8}}},
+    {"one estimate that changes as its normal turns, by 5°", .estimates = {{BESIDE(0, 0, 1, blue), .turning = 6}},
+     .degrees = 5},
     {"two estimates, of which only the second serves",
-     0.25f,
-     0,
-     0,
-     {{BESIDE(0.6f, 0, 2, red)}, {BESIDE(0.1f, 0, 2, blue)}}},
-    {"no estimates at all", 0.25f, 0, 0, {{BESIDE(0, 0, 0, red)}}},
+     .estimates = {{BESIDE(0.6f, 0, 2, red)}, {BESIDE(0.1f, 0, 2, blue)}}},
+    {"no estimates at all", .estimates = {{BESIDE(0, 0, 0, red)}}},
     {"two estimates at an accuracy of 0.5, one 0.4 of its reach away",
-     0.5f,
-     0,
-     0,
-     {{BESIDE(0.4f, 0, 1, red)}, {BESIDE(0, -0.1f, 1, blue)}}},
+     .estimates = {{BESIDE(0.4f, 0, 1, red)}, {BESIDE(0, -0.1f, 1, blue)}}, .accuracy = 0.5f},
 };
 #define SETTINGS (int)(sizeof settings / sizeof *settings)
 #define CROWDS   4 // and then many estimates all around
@@ -134,7 +119,7 @@ static Vec3 leaning(float degrees)
 static void make_setting(const Setting *setting, Place *place)
 {
     place->what = setting->what;
-    place->accuracy = setting->accuracy;
+    place->accuracy = setting->accuracy > 0.0f ? setting->accuracy : 0.25f;
     place->position.y = setting->height;
     place->normal = leaning(setting->degrees);
     if (strcmp(setting->what, ABOVE_ONE) == 0)
