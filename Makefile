@@ -134,10 +134,10 @@ $(PROGRAM): $(call object,$(PROGRAM_SOURCES)) $(LIBRARY)
 $(BUILD)/solutions/%.so: $(BUILD)/obj/solutions/%.o
 	$(call beside,$(CC) $(CFLAGS) $(PLUGIN) $< -o $$new)
 
-$(BUILD)/make_meshes: scenes/make_meshes.c
+$(BUILD)/make_meshes: scenes/make_meshes.c scenes/mesh_shapes.h
 	$(call beside,$(CC) $(STANDARD) -O2 $< -o $$new -lm)
 
-scenes/meshes/%.obj: scenes/make_meshes.c | $(BUILD)/make_meshes
+scenes/meshes/%.obj: scenes/make_meshes.c scenes/mesh_shapes.h | $(BUILD)/make_meshes
 	$(call beside,$(BUILD)/make_meshes $(subst bumpy_,,$*) $$new)
 
 # `make check` sanitizes neither the preview nor its tests: they start compilers and draw by software, for long.
