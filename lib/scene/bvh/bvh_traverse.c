@@ -1,64 +1,16 @@
 // Rays through the hierarchy. Of a node's children those nearest to the ray's origin are looked at first;
 // whatever begins behind the closest hit so far is skipped.
+#include "scene/bvh/bvh_boxes.h"
 #include "scene/bvh/bvh_packets.h"
 
 // The builder limits the depth: see DEPTH_LIMIT there.
 #define STACK_SIZE (96 * (WIDTH - 1))
-
-// Rounding moves the ends of the interval in which a ray is inside a box by a few units in the last place (Ize 2013).
-#define BOX_SLACK (1.0f - 1e-6f)
 
 #define NOINLINE __attribute__((noinline)) // keeps registers for what surrounds it
 
 // The distance at which the ray enters a child, which is no less than 0, so that its bits are in the order of their values;
 // then the child.
 typedef uint64_t Entry;
-
-// A ray prepared for the boxes.
-typedef struct {
-    Lanes origin, inverse;
-    float t_min;
-    unsigned near[3]; // rows of Node.bounds where the ray enters a box; it leaves it at that row's neighbour
-} BoxRay;
-
-// Along an axis on which a ray hardly moves; its products with lengths are finite.
-#define STEEPEST 1e18f
-
-static inline BoxRay box_ray(const Ray *ray, float t_min)
-{
-    Float4 origin = {ray->origin.x, ray->origin.y, ray->origin.z, 0.0f};
-    Float4 inverse = 1.0f / (Float4){ray->direction.x, ray->direction.y, ray->direction.z, 1.0f};
-    inverse = float4_max(float4_min(inverse, float4_all(STEEPEST)), float4_all(-STEEPEST));
-    BoxRay r = {.origin = lanes_fours(&origin), .inverse = lanes_fours(&inverse), .t_min = t_min + 0.0f}; // not −0
-    unsigned backwards = int4_bits(inverse < float4_all(0.0f));
-    for (unsigned axis = 0; axis < 3; axis++)
-        r.near[axis] = 2 * axis + (backwards >> axis & 1);
-    return r;
-}
-
-// Which children does the ray meet before t_max, and where does it enter them?
-static inline unsigned node_hits(const Node *node, const BoxRay *ray, float t_max, float enter[WIDTH])
-{
-    Lanes low = lanes_fours(node);
-    Lanes start = (low - ray->origin) * ray->inverse;
-    Lanes step = (Lanes)(((LanesMask)low & 0xff) << 23) * ray->inverse;
-    const Lanes from[3] = {lanes_pick(start, 0), lanes_pick(start, 1), lanes_pick(start, 2)};
-    const Lanes by[3] = {lanes_pick(step, 0), lanes_pick(step, 1), lanes_pick(step, 2)};
-    unsigned hits = 0;
-    for (int lane = 0; lane < WIDTH; lane += LANES) {
-        Lanes near = lanes_all(ray->t_min);
-        Lanes far = lanes_all(t_max);
-        for (int axis = 0; axis < 3; axis++) {
-            const uint8_t *in = &node->bounds[ray->near[axis]][lane], *out = &node->bounds[ray->near[axis] ^ 1][lane];
-            near = lanes_max(lanes_fma(lanes_bytes(in), by[axis], from[axis]), near);
-            far = lanes_min(lanes_fma(lanes_bytes(out), by[axis], from[axis]), far);
-        }
-        near *= lanes_all(BOX_SLACK);
-        memcpy(&enter[lane], &near, sizeof near);
-        hits |= lanes_bits(near <= far) << lane;
-    }
-    return hits & ((2u << node->last_child) - 1);
-}
 
 // Tests all packets of a tree that is nothing else.
 static INLINE void all_closest(const Bvh *bvh, const Tree *tree, const PacketRay *ray, LaneHits *best)
