@@ -1,109 +1,38 @@
-#include "scene/file/obj.h"
+#include "scene/file/obj_words.h"
 
 #include "base/array.h"
-#include "base/text.h"
 #include "scene/bvh/shape.h"
 #include "scene/limits.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-// Goes through the text word by word: comments reach from # to the line's end, a backslash there carries the line on.
-typedef struct {
-    const char *at, *word_end; // what is left of the word at hand
-    const char *end;           // of the text
-    long line;                 // from 1
-    const char *name;
-    const ObjNames *names;
-    ObjMesh *mesh;
-    uint32_t material; // of the faces to come
-    Error *error;
-} Reader;
 
 typedef struct {
     uint32_t point, normal;
 } Corner;
 
-static bool is_one_of(char c, const char *characters)
+static bool memory_fault(const ObjReader *reader)
 {
-    return c != '\0' && strchr(characters, c);
-}
-
-// The length of a blank, or of a backslash and the line's end behind it; 0 when there is no such thing here.
-static size_t blank_length(const char *at, const char *end)
-{
-    if (is_one_of(*at, " \t\r"))
-        return 1;
-    size_t left = (size_t)(end - at), length = left > 2 && at[1] == '\r' ? 3 : 2;
-    return *at == '\\' && left >= length && at[length - 1] == '\n' ? length : 0;
-}
-
-// False, and no word is at hand, at the line's end.
-static bool next_word(Reader *reader)
-{
-    const char *at = reader->word_end, *end = reader->end;
-    for (size_t length; at < end && (length = blank_length(at, end)); at += length)
-        reader->line += length > 1;
-    reader->at = reader->word_end = at;
-    if (at == end || is_one_of(*at, "\n#"))
-        return false;
-    static const bool ends[256] = {[' '] = 1, ['\t'] = 1, ['\r'] = 1, ['\n'] = 1, ['\\'] = 1, ['#'] = 1};
-    while (at < end && !ends[(unsigned char)*at]) // of a mesh's millions of characters, most come by here
-        at++;
-    reader->word_end = at > reader->at ? at : at + 1; // a backslash inside a line is a word
-    return true;
-}
-
-static void next_line(Reader *reader)
-{
-    while (next_word(reader))
-        ;
-    const char *newline = memchr(reader->at, '\n', (size_t)(reader->end - reader->at));
-    reader->word_end = newline ? newline + 1 : reader->end;
-    reader->line += newline != NULL;
-}
-
-static bool fault(const Reader *reader, const char *format, ...)
-{
-    char what[700];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(what, sizeof what, format, arguments);
-    va_end(arguments);
-    return error_set(reader->error, "%s:%ld: %s", reader->name, reader->line, what);
-}
-
-static bool memory_fault(const Reader *reader)
-{
-    return fault(reader, "not enough memory for this mesh");
-}
-
-// Names what is left of the word, or at least the character behind it.
-static bool word_fault(const Reader *reader, const char *expected)
-{
-    size_t length = (size_t)(reader->word_end - reader->at);
-    length = length || reader->at == reader->end ? length : 1;
-    return fault(reader, "'%.*s' is not %s", (int)(length < 40 ? length : 40), reader->at, expected);
+    return obj_fault(reader, "not enough memory for this mesh");
 }
 
 // Reads three numbers to the end of a list; gives their place there, or NULL.
-static Vec3 *read_vector(Reader *reader, const char *what, Vec3 **list, size_t *count, size_t *capacity)
+static Vec3 *read_vector(ObjReader *reader, const char *what, Vec3 **list, size_t *count, size_t *capacity)
 {
     double number[7] = {0}; // beyond the three there may be a weight or a colour
     int read = 0;
     bool more;
-    for (; (more = next_word(reader)) && read < 7; read++) {
+    for (; (more = obj_next_word(reader)) && read < 7; read++) {
         const char *at = reader->at;
         if (!text_number(&at, reader->word_end, &number[read]) || at < reader->word_end ||
             fabs(number[read]) > SCENE_LARGEST_NUMBER) {
-            word_fault(reader, "a number between -1e9 and 1e9");
+            obj_word_fault(reader, "a number between -1e9 and 1e9");
             return NULL;
         }
     }
     if (read < 3 || more) {
-        fault(reader, "a %s has %d numbers; expected 3", what, read);
+        obj_fault(reader, "a %s has %d numbers; expected 3", what, read);
         return NULL;
     }
     if (!array_reserve(list, *count + 1, capacity, sizeof **list)) {
@@ -114,7 +43,7 @@ static Vec3 *read_vector(Reader *reader, const char *what, Vec3 **list, size_t *
     return &(*list)[(*count)++];
 }
 
-static bool read_normal(Reader *reader)
+static bool read_normal(ObjReader *reader)
 {
     ObjMesh *mesh = reader->mesh;
     Vec3 *normal = read_vector(reader, "normal (vn)", &mesh->normals, &mesh->normal_count, &mesh->normal_capacity);
@@ -122,11 +51,11 @@ static bool read_normal(Reader *reader)
         return false;
     float length = vec3_length(*normal);
     *normal = vec3_scale(*normal, 1.0f / length);
-    return length > 1e-12f || fault(reader, "a normal of length 0; expected a direction");
+    return length > 1e-12f || obj_fault(reader, "a normal of length 0; expected a direction");
 }
 
 // An index counts from 1, or, when negative, back from the newest. Gives it from 0.
-static bool read_index(Reader *reader, size_t count, const char *what, uint32_t *index)
+static bool read_index(ObjReader *reader, size_t count, const char *what, uint32_t *index)
 {
     const char *start = reader->at, *p = start;
     bool negative = p < reader->word_end && *p == '-';
@@ -135,17 +64,17 @@ static bool read_index(Reader *reader, size_t count, const char *what, uint32_t 
     for (; p < reader->word_end && *p >= '0' && *p <= '9'; p++)
         number = number > UINT32_MAX ? number : number * 10 + (uint64_t)(*p - '0');
     if (p == digits)
-        return word_fault(reader, "a corner; expected point, point/texture, point//normal or point/texture/normal");
+        return obj_word_fault(reader, "a corner; expected point, point/texture, point//normal or point/texture/normal");
     if (number == 0 || number > count)
-        return fault(reader, "there is no %s %.*s: %zu stand above, counted from 1", what,
-                     (int)(p - start < 30 ? p - start : 30), start, count);
+        return obj_fault(reader, "there is no %s %.*s: %zu stand above, counted from 1", what,
+                         (int)(p - start < 30 ? p - start : 30), start, count);
     *index = (uint32_t)(negative ? count - number : number - 1);
     reader->at = p;
     return true;
 }
 
 // A '/' that is there is gone over.
-static bool skip_slash(Reader *reader)
+static bool skip_slash(ObjReader *reader)
 {
     bool slash = reader->at < reader->word_end && *reader->at == '/';
     reader->at += slash;
@@ -153,7 +82,7 @@ static bool skip_slash(Reader *reader)
 }
 
 // One of 7, 7/1, 7//3, 7/1/3. Texture coordinates, in the middle, are not used.
-static bool read_corner(Reader *reader, Corner *corner)
+static bool read_corner(ObjReader *reader, Corner *corner)
 {
     corner->normal = OBJ_NONE;
     if (!read_index(reader, reader->mesh->point_count, "point", &corner->point))
@@ -164,11 +93,11 @@ static bool read_corner(Reader *reader, Corner *corner)
         if (skip_slash(reader) && !read_index(reader, reader->mesh->normal_count, "normal", &corner->normal))
             return false;
     }
-    return reader->at == reader->word_end || word_fault(reader, "the end of a corner; expected a blank");
+    return reader->at == reader->word_end || obj_word_fault(reader, "the end of a corner; expected a blank");
 }
 
 // Of a fan; those without area are left out.
-static bool add_triangle(const Reader *reader, Corner a, Corner b, Corner c)
+static bool add_triangle(const ObjReader *reader, Corner a, Corner b, Corner c)
 {
     ObjMesh *mesh = reader->mesh;
     Vec3 origin = mesh->points[a.point];
@@ -183,12 +112,12 @@ static bool add_triangle(const Reader *reader, Corner a, Corner b, Corner c)
     return true;
 }
 
-static bool read_face(Reader *reader)
+static bool read_face(ObjReader *reader)
 {
     Corner first = {0, 0}, previous = {0, 0}, corner;
     size_t before = reader->mesh->triangle_count;
     int count = 0;
-    for (; next_word(reader); count += count < 3, previous = corner) {
+    for (; obj_next_word(reader); count += count < 3, previous = corner) {
         if (!read_corner(reader, &corner))
             return false;
         if (count == 0)
@@ -197,15 +126,15 @@ static bool read_face(Reader *reader)
             return false;
     }
     if (count < 3)
-        return fault(reader, "a face of %d corner%s; expected at least 3", count, count == 1 ? "" : "s");
+        return obj_fault(reader, "a face of %d corner%s; expected at least 3", count, count == 1 ? "" : "s");
     return reader->mesh->triangle_count > before ||
-           fault(reader, "a face without area: its corners coincide or lie in a line; remove it or move a corner");
+           obj_fault(reader, "a face without area: its corners coincide or lie in a line; remove it or move a corner");
 }
 
 // The name is what is left of the line, without a comment and the blanks at its end.
-static bool read_usemtl(Reader *reader)
+static bool read_usemtl(ObjReader *reader)
 {
-    next_word(reader);
+    obj_next_word(reader);
     size_t length = 0;
     char name[64] = "";
     for (const char *p = reader->at; p < reader->end && *p != '\n'; p++) {
@@ -215,7 +144,7 @@ static bool read_usemtl(Reader *reader)
             length = (size_t)(p - reader->at) + 1;
     }
     if (length == 0 || length >= sizeof name || memchr(reader->at, '\0', length))
-        return fault(reader, "usemtl with a name of %zu characters; expected 1 to 63", length);
+        return obj_fault(reader, "usemtl with a name of %zu characters; expected 1 to 63", length);
     memcpy(name, reader->at, length);
     reader->word_end = reader->at + length;
     const ObjNames *names = reader->names;
@@ -224,14 +153,8 @@ static bool read_usemtl(Reader *reader)
         reader->material = (uint32_t)number;
         return true;
     }
-    return fault(reader, "usemtl '%s' is no material of %s; %s", name, names->of,
-                 text_suggest(name, names->name_at, names->list).text);
-}
-
-static bool is_word(const Reader *reader, const char *word)
-{
-    size_t length = (size_t)(reader->word_end - reader->at);
-    return strlen(word) == length && memcmp(word, reader->at, length) == 0;
+    return obj_fault(reader, "usemtl '%s' is no material of %s; %s", name, names->of,
+                     text_suggest(name, names->name_at, names->list).text);
 }
 
 // Keywords of the format that say nothing about surfaces of flat polygons, with a blank on each side.
@@ -239,39 +162,40 @@ static const char unused_keywords[] =
     " vt vp g o s l p mtllib usemap maplib cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con mg "
     "bevel c_interp d_interp lod shadow_obj trace_obj ctech stech bzp bsp cdc cdp res call csh ";
 
-static bool read_statement(Reader *reader)
+static bool read_statement(ObjReader *reader)
 {
     ObjMesh *mesh = reader->mesh;
-    if (is_word(reader, "v"))
+    if (obj_word_is(reader, "v"))
         return read_vector(reader, "point (v)", &mesh->points, &mesh->point_count, &mesh->point_capacity);
-    if (is_word(reader, "vn"))
+    if (obj_word_is(reader, "vn"))
         return read_normal(reader);
-    if (is_word(reader, "f"))
+    if (obj_word_is(reader, "f"))
         return read_face(reader);
-    if (is_word(reader, "usemtl"))
+    if (obj_word_is(reader, "usemtl"))
         return read_usemtl(reader);
     char padded[16] = "";
     snprintf(padded, sizeof padded, " %.*s ", (int)(reader->word_end - reader->at), reader->at);
     return strstr(unused_keywords, padded) ||
-           word_fault(reader, "a keyword of an OBJ file; expected v, vn, vt, f, usemtl, g, o, s or mtllib");
+           obj_word_fault(reader, "a keyword of an OBJ file; expected v, vn, vt, f, usemtl, g, o, s or mtllib");
 }
 
 bool obj_read_text(const char *text, size_t size, const char *name, const ObjNames *names, ObjMesh *mesh, Error *error)
 {
     *mesh = (ObjMesh){0};
     bool mark = size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0; // that some editors put before UTF-8
-    Reader reader = {.word_end = text + (mark ? 3 : 0),
-                     .end = text + size,
-                     .line = 1,
-                     .name = name,
-                     .names = names,
-                     .mesh = mesh,
-                     .material = OBJ_NONE,
-                     .error = error};
-    for (; reader.word_end < reader.end; next_line(&reader))
-        if (next_word(&reader) && !read_statement(&reader))
+    ObjReader reader = {.word_end = text + (mark ? 3 : 0),
+                        .end = text + size,
+                        .line = 1,
+                        .name = name,
+                        .names = names,
+                        .mesh = mesh,
+                        .material = OBJ_NONE,
+                        .error = error};
+    for (; reader.word_end < reader.end; obj_next_line(&reader))
+        if (obj_next_word(&reader) && !read_statement(&reader))
             return false;
-    return mesh->triangle_count > 0 || fault(&reader, "the file ends without a face; expected lines like 'f 1 2 3'");
+    return mesh->triangle_count > 0 ||
+           obj_fault(&reader, "the file ends without a face; expected lines like 'f 1 2 3'");
 }
 
 void obj_free(ObjMesh *mesh)
