@@ -29,8 +29,11 @@ static bool ready(int width, int height)
     page.error.message[0] = '\0';
     if (!page.scene)
         return error_set(&page.error, "there is no scene yet");
-    if (!page.canvas && !(page.canvas = canvas_create(web_gl, width, height, &page.error)))
-        return false;
+    if (!page.canvas) {
+        if (!(page.canvas = canvas_create(web_gl, width, height, &page.error)))
+            return false;
+        web_draw_points(page.canvas);
+    }
     if (!page.data && !(page.data = view_data_create(page.canvas, page.scene)))
         return error_set(&page.error, "not enough memory for the picture");
     return canvas_resize(page.canvas, width, height, &page.error);

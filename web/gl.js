@@ -1,4 +1,4 @@
-// The functions of lib/preview/draw/gl.h by WebGL 2: what the module imports. OpenGL names its objects by numbers, which
+// The functions of lib/preview/draw/gl.h by WebGL 2, and what draws: what the module imports. OpenGL names its objects by numbers, which
 // count up from 1 here, and points into memory, which is the module's.
 
 function photonlabGl(gl, memory) {
@@ -29,7 +29,14 @@ function photonlabGl(gl, memory) {
     const MULTISAMPLE = 0x809d, MAJOR_VERSION = 0x821b, MINOR_VERSION = 0x821c // that WebGL does not know
     let pointSize = null // the present program's uniform
 
+    // What draws, by its name: Chromium tells it by an extension, Firefox in the place of its own.
+    const renderer = () => {
+        const own = gl.getParameter(gl.RENDERER), told = /^WebKit/.test(own) && gl.getExtension('WEBGL_debug_renderer_info')
+        return told ? gl.getParameter(told.UNMASKED_RENDERER_WEBGL) : own
+    }
+
     return {
+        photonlab_software: () => /SwiftShader|llvmpipe|softpipe|software|Basic Render/i.test(renderer()),
         glAttachShader: (program, shader) => gl.attachShader(objects[program], objects[shader]),
         glBindBuffer: bind(gl.bindBuffer),
         glBindFramebuffer: bind(gl.bindFramebuffer),
@@ -91,6 +98,7 @@ function photonlabGl(gl, memory) {
         },
         glTexImage2D: (target, level, inside, width, height, border, format, type, at) =>
             gl.texImage2D(target, level, inside, width, height, border, format, type, bytes(), at),
+        glTexParameteri: (target, name, value) => gl.texParameteri(target, name, value),
         glUniform1f: (place, value) => gl.uniform1f(objects[place], value),
         glUniformMatrix4fv: (place, count, turned, at) =>
             gl.uniformMatrix4fv(objects[place], turned, new Float32Array(memory().buffer, at, 16 * count)),

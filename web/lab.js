@@ -27,7 +27,7 @@ const home = {
 const state = {
     lab: null, workers: null,
     scene: null, // {yaml, name, files}: that photons are of
-    pending: false, rested: 0, resting: 0, drawn: 0, points: 50000, // of drawing; of points, those of a moving frame
+    pending: false, moved: false, rested: 0, resting: 0, drawn: 0, points: 50000, // of drawing; of points, those of a moving frame
     shown: 0, seconds: 0, // photons; the time that all took
     found: 'photons', // the kind of run that was last asked for beside photons
     rendering: false, flying: 0,
@@ -63,9 +63,11 @@ function fitCanvas() {
 function draw(now) {
     state.pending = false
     fitCanvas()
-    const {lab} = state, moving = performance.now() < state.rested
+    // What moved is drawn with fewer points however late its frame comes: with all of them the next would come later still.
+    const {lab} = state, moving = state.moved || performance.now() < state.rested
+    state.moved = false
     if (state.flying) lab.set({flight: ((now - state.flying) / 1000 / FLIGHT % 1.1) * lab.collected().farthest})
-    if (moving) keepPace(now)
+    keepPace(moving ? now : 0)
     lab.set({most_points: moving ? state.points : 0})
     lab.draw()
     clearTimeout(state.resting)
@@ -74,17 +76,18 @@ function draw(now) {
     if (!moving) tell()
 }
 
-// As many points as 30 frames a second allow.
+// As many points as 30 frames a second allow. `now`: 0 at rest.
 function keepPace(now) {
-    const took = now - state.drawn
+    const took = now - state.drawn, begins = !state.drawn
     state.drawn = now
-    if (took > 10 * SLOW) return // a movement begins
+    if (begins || !now) return
     if (took > SLOW) state.points = Math.max(LEAST_POINTS, Math.round(0.8 * state.points))
     else if (took < QUICK && state.points < state.lab.collected().photons) state.points = Math.round(1.25 * state.points)
 }
 
 function moved() {
     stopRender()
+    state.moved = true
     state.rested = performance.now() + REST
     wantPicture()
 }

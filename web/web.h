@@ -44,6 +44,9 @@ void web_append_quoted(const char *words);
 // The functions that gl.js gives, by name; NULL where it gives none of this name.
 void *web_gl(const char *name);
 
+// From now on points are added up by a loop of the module where WebGL runs in software.
+void web_draw_points(Canvas *canvas);
+
 // A run was heard of just now; it is given so many seconds until it is heard of again. See guard.c.
 void web_alive(double given);
 

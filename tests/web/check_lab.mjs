@@ -120,6 +120,29 @@ async function views(page, name) {
     await page.select('#view', 'points')
 }
 
+// Software WebGL has its points from web/points.c: they are where WebGL's own are, and as bright.
+async function points(page, name) {
+    await choose(page, 'box_glass.yaml')
+    const [ours, gl] = await page.evaluate(async () => {
+        const before = photonlabGl, pictures = []
+        for (const software of [true, false]) {
+            photonlabGl = (...given) => ({...before(...given), photonlab_software: () => software})
+            const canvas = Object.assign(document.createElement('canvas'), {width: 640, height: 360}), lab = await Photonlab.open(await Photonlab.compile(), canvas)
+            lab.scene(scenes['box_glass.yaml'])
+            lab.set({photons: 20000, wireframe: 0})
+            lab.trace()
+            lab.show()
+            lab.draw()
+            const small = Object.assign(document.createElement('canvas'), {width: 32, height: 18}).getContext('2d')
+            small.drawImage(canvas, 0, 0, 32, 18)
+            pictures.push([...small.getImageData(0, 0, 32, 18).data])
+        }
+        photonlabGl = before
+        return pictures
+    })
+    check(`${name}: points of a loop of ours are WebGL's`, Math.max(...ours.filter((v, i) => i % 4 < 3)) > 60 && difference(ours, gl) < 1, difference(ours, gl))
+}
+
 async function narrow(browser, url, name) {
     const page = await browser.newPage()
     await page.setViewport({width: 400, height: 800, hasTouch: name === 'chromium'})
@@ -171,6 +194,7 @@ async function checkBrowser(name) {
     await sceneText(page, name)
     await views(page, name)
     await rendered(page, name)
+    await points(page, name)
     await shared(browser, page, name, file)
     await narrow(browser, file, name)
     await page.goto(`${server.url}lab.html`)

@@ -47,6 +47,7 @@ typedef struct {
 typedef struct {
     unsigned array, buffer; // OpenGL's names; 0: nothing was uploaded yet
     size_t count;
+    Vertex *kept; // a copy, where points are not drawn by OpenGL
 } VertexBuffer;
 void vertex_buffer_upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *vertices, size_t count);
 void vertex_buffer_free(Canvas *canvas, VertexBuffer *buffer);

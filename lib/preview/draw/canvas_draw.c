@@ -2,6 +2,7 @@
 #include "preview/draw/canvas_internal.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 void vertex_buffer_upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *vertices, size_t count)
 {
@@ -19,13 +20,19 @@ void vertex_buffer_upload(Canvas *canvas, VertexBuffer *buffer, const Vertex *ve
     gl->BindBuffer(GL_ARRAY_BUFFER, buffer->buffer);
     gl->BufferData(GL_ARRAY_BUFFER, (ptrdiff_t)(count * sizeof *vertices), vertices, GL_STATIC_DRAW);
     buffer->count = count;
+    if (!canvas->draw_points)
+        return;
+    free(buffer->kept);
+    if ((buffer->kept = malloc((count + 1) * sizeof *vertices)))
+        memcpy(buffer->kept, vertices, count * sizeof *vertices);
 }
 
 void vertex_buffer_free(Canvas *canvas, VertexBuffer *buffer)
 {
     canvas->gl.DeleteVertexArrays(1, &buffer->array); // 0 is no array, and nothing is done
     canvas->gl.DeleteBuffers(1, &buffer->buffer);
-    *buffer = (VertexBuffer){0, 0, 0};
+    free(buffer->kept);
+    *buffer = (VertexBuffer){.array = 0};
 }
 
 void vertex_buffer_draw(Canvas *canvas, const VertexBuffer *buffer, size_t first, size_t count, const DrawStyle *style)
@@ -34,6 +41,8 @@ void vertex_buffer_draw(Canvas *canvas, const VertexBuffer *buffer, size_t first
         return;
     if (count > buffer->count - first)
         count = buffer->count - first;
+    if (style->kind == DRAW_POINTS && buffer->kept && canvas->draw_points(canvas, buffer->kept + first, count, style))
+        return;
     const Gl *gl = &canvas->gl;
     // The picture itself stays opaque: alpha is kept at 1.
     gl->BlendFuncSeparate(GL_SRC_ALPHA, style->additive ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);

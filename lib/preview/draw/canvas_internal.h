@@ -10,8 +10,12 @@ typedef struct {
     float projection[16];
 } CanvasView;
 
+// False: OpenGL shall do it.
+typedef bool PointDrawer(Canvas *canvas, const Vertex *vertices, size_t count, const DrawStyle *style);
+
 struct Canvas {
     Gl gl;
+    PointDrawer *draw_points; // NULL: OpenGL does
     int width, height;
     unsigned framebuffer, colour; // 0: the context's own framebuffer, which somebody else sizes
     unsigned program;

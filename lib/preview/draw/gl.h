@@ -22,7 +22,7 @@
     X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenTextures) X(GenVertexArrays) X(GetError) \
     X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetString) X(GetUniformLocation) X(LinkProgram) \
     X(PixelStorei) X(PointSize) X(ReadPixels) X(RenderbufferStorage) X(Scissor) X(ShaderSource) X(TexImage2D) \
-    X(Uniform1f) X(UniformMatrix4fv) X(UseProgram) X(VertexAttribPointer) X(Viewport)
+    X(TexParameteri) X(Uniform1f) X(UniformMatrix4fv) X(UseProgram) X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
 #define GL_MEMBER(name) __typeof__(&gl##name) name;

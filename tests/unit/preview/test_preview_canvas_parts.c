@@ -4,7 +4,7 @@
 TEST(a_buffer_is_drawn_in_parts)
 {
     Canvas *canvas = new_canvas();
-    VertexBuffer buffer = {0, 0, 0};
+    VertexBuffer buffer = {.array = 0};
     Vertex points[8];
     for (int i = 0; i < 8; i++)
         points[i] = (Vertex){10.5f * (float)i + 0.5f, 5.5f, 0, 255, 255, 255, 255};
