@@ -5,6 +5,7 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define CHUNK        4096 // paths a thread takes at a time
 #define CHUNKS_TRIED 64   // after so many it is known how much memory all will take
@@ -69,14 +70,9 @@ void unsound_paths_add(UnsoundPaths *sum, const UnsoundPaths *part)
         sum->at[i] += part->at[i];
 }
 
-// Sums the chunks' books in their order and turns the squares into the standard error of the sum.
-static void close_books(PhotonPass *pass, const PhotonTrace *chunks, long chunk_count)
+// Turns the squares into the standard error of the sum.
+static void close_books(PhotonPass *pass)
 {
-    for (long i = 0; i < chunk_count; i++) {
-        ledger_add(&pass->ledger, &chunks[i].ledger);
-        pass->segments += chunks[i].segments;
-        unsound_paths_add(&pass->unsound, &chunks[i].unsound);
-    }
     for (int c = 0; c < 3; c++) {
         double n = (double)pass->emitted;
         double mean = pass->ledger.chance[c] / n;
@@ -85,83 +81,122 @@ static void close_books(PhotonPass *pass, const PhotonTrace *chunks, long chunk_
     }
 }
 
-// Joins what the chunks stored, in their order. Each chunk is freed once copied, so that memory never holds all photons
-// twice.
-static bool merge(PhotonPass *pass, PhotonTrace *chunks, long chunk_count, const PhotonPassOptions *options)
-{
-    bool part_caustics = (options->keep & KEEP_CAUSTIC) && !(options->keep & KEEP_DIRECT);
-    size_t total = 0;
-    size_t caustics = 0;
-    for (long i = 0; i < chunk_count; i++) { // where each chunk's photons start in either array
-        chunks[i].first_caustic = caustics;
-        chunks[i].first_rest = total - caustics;
-        total += chunks[i].count;
-        caustics += part_caustics ? chunks[i].caustics : 0;
-    }
-    pass->stored = total;
-    pass->caustic = (PhotonArray){array_allocate((caustics + 1) * sizeof(StoredPhoton)), caustics};
-    pass->rest = (PhotonArray){array_allocate((total - caustics + 1) * sizeof(StoredPhoton)), total - caustics};
-    if (!pass->caustic.photons || !pass->rest.photons)
-        return false;
-#pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
-    for (long i = 0; i < chunk_count; i++) {
-        StoredPhoton *to_caustic = pass->caustic.photons + chunks[i].first_caustic;
-        StoredPhoton *to_rest = pass->rest.photons + chunks[i].first_rest;
-        for (size_t j = 0; j < chunks[i].count; j++) {
-            bool apart = part_caustics && chunks[i].photons[j].path == PATH_CAUSTIC;
-            *(apart ? to_caustic++ : to_rest++) = chunks[i].photons[j];
-        }
-        free(chunks[i].photons);
-        chunks[i].photons = NULL;
-    }
-    return true;
-}
-
 static long last_path(const PhotonPassOptions *options)
 {
     return options->last > 0 ? options->last : options->photons;
 }
 
-// Room for all photons, in their chunks and joined, and for what follows, going by those of the first chunks?
-static bool all_will_fit(const PhotonPassOptions *options, size_t stored, size_t caustics, double times)
+// A pass while it goes on.
+typedef struct {
+    const Scene *scene;
+    const PhotonPassOptions *options;
+    const LightChance *chances;
+    PhotonPass *pass;
+    PhotonTrace *chunks;
+    long all, traced, joined; // chunks
+    size_t caustics, caustic_room, rest_room;
+    bool part_caustics;
+} PassState;
+
+// Room for all photons and for what follows, going by those of the first chunks?
+static bool all_will_fit(const PassState *now)
 {
-    double photons = times * (double)stored, joining = 2.0 * photons * (double)sizeof(StoredPhoton);
+    const PhotonPassOptions *options = now->options;
+    double times = (double)now->all / (double)now->joined, photons = times * (double)now->pass->stored;
     double following =
-        options->room + photons * options->room_a_photon + times * (double)caustics * options->room_a_caustic;
-    return array_has_room(fmax(joining, following));
+        options->room + photons * options->room_a_photon + times * (double)now->caustics * options->room_a_caustic;
+    return array_has_room(fmax(photons * (double)sizeof(StoredPhoton), following));
+}
+
+// Makes room for `count` photons more and, going by those so far, for all that will come: what of a large array is not used takes
+// no memory.
+static bool make_room(const PassState *now, PhotonArray *array, size_t count, size_t *room)
+{
+    if (array->photons && array->count + count <= *room)
+        return true;
+    *room = (size_t)(1.05 * (double)(array->count + count) * (double)now->all / (double)(now->joined + 1)) + 1;
+    StoredPhoton *photons = array_allocate(*room * sizeof *photons);
+    if (photons && array->count)
+        memcpy(photons, array->photons, array->count * sizeof *photons);
+    free(array->photons);
+    array->photons = photons;
+    return photons != NULL;
+}
+
+static bool join(PassState *now, const PhotonTrace *chunk)
+{
+    PhotonPass *pass = now->pass;
+    size_t apart = now->part_caustics ? chunk->caustics : 0;
+    if (!make_room(now, &pass->caustic, apart, &now->caustic_room) ||
+        !make_room(now, &pass->rest, chunk->count - apart, &now->rest_room))
+        return false;
+    StoredPhoton *to_caustic = pass->caustic.photons + pass->caustic.count;
+    StoredPhoton *to_rest = pass->rest.photons + pass->rest.count;
+    for (size_t i = 0; i < chunk->count; i++) {
+        bool caustic = now->part_caustics && chunk->photons[i].path == PATH_CAUSTIC;
+        *(caustic ? to_caustic++ : to_rest++) = chunk->photons[i];
+    }
+    pass->caustic.count += apart;
+    pass->rest.count += chunk->count - apart;
+    pass->stored += chunk->count;
+    now->caustics += chunk->caustics;
+    ledger_add(&pass->ledger, &chunk->ledger);
+    pass->segments += chunk->segments;
+    unsound_paths_add(&pass->unsound, &chunk->unsound);
+    return !chunk->out_of_memory;
+}
+
+// Joins to the pass, in their order, the chunks that are traced up to the first that is not. The latest one's memory serves its
+// thread again: what the system has to find and clear for photons that are only copied on would cost a tenth of the pass.
+static bool join_traced(PassState *now, long latest)
+{
+    while (now->joined < now->all && now->chunks[now->joined].traced) {
+        PhotonTrace *chunk = &now->chunks[now->joined];
+        if (!join(now, chunk))
+            return false;
+        if (now->joined != latest)
+            free(chunk->photons);
+        chunk->photons = NULL;
+        now->joined++;
+        if (now->joined == (now->all < CHUNKS_TRIED ? now->all : CHUNKS_TRIED) && !all_will_fit(now))
+            return false;
+    }
+    return true;
 }
 
 // False at the first lack of memory: the rest is left out.
-static bool trace_all(const Scene *scene, const PhotonPassOptions *options, const LightChance *chances,
-                      PhotonTrace *chunks, long chunk_count)
+static bool trace_all(PassState *now)
 {
-    long done = 0;
-    long end = last_path(options);
-    size_t stored = 0, caustics = 0;
+    long end = last_path(now->options);
     bool enough = true;
-#pragma omp parallel for schedule(dynamic) num_threads(parallel_threads(options->threads))
-    for (long i = 0; i < chunk_count; i++) {
-        bool going;
+#pragma omp parallel num_threads(parallel_threads(now->options->threads))
+    {
+        StoredPhoton *photons = NULL;
+        size_t capacity = 0;
+#pragma omp for schedule(dynamic)
+        for (long i = 0; i < now->all; i++) {
+            bool going;
 #pragma omp atomic read
-        going = enough;
-        if (!going)
-            continue;
-        PhotonTrace trace = {.scene = scene, .options = options};
-        long first = options->first + i * CHUNK;
-        long last = first + CHUNK < end ? first + CHUNK : end;
-        trace_chunk(&trace, chances, first, last);
-        chunks[i] = trace; // at the end: neighbours in the array share cache lines
-#pragma omp critical(photon_pass_progress)
-        {
-            stored += trace.count;
-            caustics += trace.caustics;
-            bool known = ++done == (CHUNKS_TRIED < chunk_count ? CHUNKS_TRIED : chunk_count);
-            double times = (double)chunk_count / (double)done;
-            if (trace.out_of_memory || (known && !all_will_fit(options, stored, caustics, times)))
+            going = enough;
+            if (!going)
+                continue;
+            PhotonTrace trace = {.scene = now->scene, .options = now->options, .traced = true};
+            trace.photons = photons;
+            trace.capacity = capacity;
+            long first = now->options->first + i * CHUNK;
+            trace_chunk(&trace, now->chances, first, first + CHUNK < end ? first + CHUNK : end);
+#pragma omp critical(photon_pass_join)
+            {
+                now->chunks[i] = trace;
+                if (enough && !join_traced(now, i))
 #pragma omp atomic write
-                enough = false;
-            progress_report(&options->progress, "photons", (double)done / (double)chunk_count);
+                    enough = false;
+                photons = now->chunks[i].photons ? NULL : trace.photons;
+                capacity = photons ? trace.capacity : 0;
+                progress_report(&now->options->progress, "photons", (double)++now->traced / (double)now->all);
+            }
         }
+        free(photons);
     }
     return enough;
 }
@@ -170,18 +205,16 @@ bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, Photo
 {
     *pass = (PhotonPass){.emitted = last_path(options) - options->first};
     double start = clock_seconds();
-    long chunk_count = (pass->emitted + CHUNK - 1) / CHUNK;
-    PhotonTrace *chunks = calloc((size_t)chunk_count, sizeof *chunks);
+    PassState now = {.scene = scene, .options = options, .pass = pass, .all = (pass->emitted + CHUNK - 1) / CHUNK};
+    now.part_caustics = (options->keep & KEEP_CAUSTIC) && !(options->keep & KEEP_DIRECT);
+    now.chunks = calloc((size_t)now.all, sizeof *now.chunks);
     LightChance *chances = light_chances(scene);
-    bool ok = chunks && chances;
-    if (ok) {
-        ok = trace_all(scene, options, chances, chunks, chunk_count);
-        close_books(pass, chunks, chunk_count);
-        ok = ok && merge(pass, chunks, chunk_count, options);
-        for (long i = 0; i < chunk_count; i++)
-            free(chunks[i].photons);
-    }
-    free(chunks);
+    now.chances = chances;
+    bool ok = now.chunks && chances && trace_all(&now);
+    close_books(pass);
+    for (long i = 0; now.chunks && i < now.all; i++)
+        free(now.chunks[i].photons);
+    free(now.chunks);
     free(chances);
     pass->seconds = clock_seconds() - start;
     if (!ok) {

@@ -10,9 +10,8 @@ struct PhotonTrace {
 
     StoredPhoton *photons; // what this chunk of paths has stored, in order
     size_t count, capacity;
-    size_t caustics;                  // how many of them came by mirrors and glass only
-    size_t first_caustic, first_rest; // where they go when the chunks are joined
-    bool out_of_memory;
+    size_t caustics; // how many of them came by mirrors and glass only
+    bool traced, out_of_memory;
 
     Ledger ledger;         // chance_error holds the sum of squares over paths until the pass ends
     double path_chance[3]; // the present path's part of ledger.chance
