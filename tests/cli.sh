@@ -105,8 +105,10 @@ expect 0 '"relmse_trimmed":0' "$program" diff "$work/a.pfm" "$work/a.pfm" --json
 if "$program" frame --help >/dev/null 2>&1; then # its letters are the preview's
     expect 2 "say where to: -o OUT.png" "$program" frame "$work/a.pfm"
     expect 0 "" "$program" frame "$work/a.pfm" "$work/b.pfm" -o "$work/framed.png" --title Ada --text 'one line\nanother'
-    expect 0 "" "$program" frame "$work/a.pfm" "$work/b.pfm" -o "$work/bare.png"
-    [ "$(wc -c <"$work/framed.png")" -gt "$(wc -c <"$work/bare.png")" ] && good "a frame has its words" || bad "a frame has no words"
+    expect 0 "" "$program" frame "$work/a.pfm" "$work/b.pfm" -o "$work/bare.png" --title ' ' --text ' \n '
+    if fc-list 2>/dev/null | grep -q DejaVu; then # without a font it has room for words alone
+        cmp -s "$work/framed.png" "$work/bare.png" && bad "a frame has no words" || good "a frame has its words"
+    fi
     expect 1 "pixels high" "$program" frame "$work/a.pfm" "$work/framed.png" -o "$work/two.png"
 fi
 expect 0 "" "$program" photons $scene -o "$work/p.ply" --photons 500

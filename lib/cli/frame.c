@@ -11,6 +11,7 @@ int command_frame(int count, char **arguments)
 
 #include "preview/draw/canvas_internal.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,15 +53,15 @@ static void fill(Image *image, int x0, int y0, int x1, int y1, Colour colour)
             *image_at(image, x, y) = colour;
 }
 
-// Letters are made of rectangles that lie along the axes: six corners each.
-static void write_words(Image *image, int x, int y, int scale, const char *words)
+// Letters are points, one a pixel, as dense as the letter covers it.
+static void write_words(Image *image, int x, int y, float scale, const char *words)
 {
     size_t count;
-    Vertex *corners = text_vertices((float)x, (float)y, (float)scale, (Rgba){255, 255, 255, 255}, words, &count);
-    for (size_t i = 0; corners && i + 6 <= count; i += 6)
-        fill(image, (int)corners[i].x, (int)corners[i].y, (int)corners[i + 2].x, (int)corners[i + 2].y,
-             colour_grey(0.55f));
-    free(corners);
+    Vertex *points = text_vertices((float)x, (float)y, scale, (Rgba){255, 255, 255, 255}, words, &count);
+    for (size_t i = 0; points && i < count; i++)
+        if (points[i].x >= 0.0f && points[i].x < (float)image->width && points[i].y < (float)image->height)
+            *image_at(image, (int)points[i].x, (int)points[i].y) = colour_grey(0.55f * (float)points[i].a / 255.0f);
+    free(points);
 }
 
 static void hang(Image *wall, const Image *picture, int x, int y)
@@ -87,15 +88,10 @@ static int break_lines(const char *text, char *lines, size_t size)
 }
 
 // As large as fits: its own lines may be as wide as the pictures.
-static int scale_of(const char *words, int width, int most)
+static float scale_of(const char *words, int width, float most)
 {
-    int scale = most;
-    while (scale > 1 && canvas_text_width((float)scale, words) > (float)width)
-        scale--;
-    return scale;
+    return fminf(most, 0.98f * (float)width / fmaxf(canvas_text_width(1.0f, words), 1.0f));
 }
-
-#define LINE 12 // pixels from line to line, of a letter at scale 1
 
 static bool make_frame(const Arguments *a, const Image pictures[2], Image *wall, Error *error)
 {
@@ -103,8 +99,9 @@ static bool make_frame(const Arguments *a, const Image pictures[2], Image *wall,
     int inner = pictures[0].width + gap + pictures[1].width;
     char lines[2000];
     int count = break_lines(a->text, lines, sizeof lines);
-    int large = scale_of(a->title, inner, 1 + inner / 240), small = scale_of(lines, inner, 1 + inner / 500);
-    int words = (*a->title ? (LINE + 4) * large : 0) + LINE * small * count;
+    float large = scale_of(a->title, inner, 1.0f + (float)inner / 500.0f);
+    float small = scale_of(lines, inner, 0.5f + (float)inner / 1000.0f);
+    int title = *a->title ? (int)(1.3f * LINE_HEIGHT * large) : 0, words = title + (int)(LINE_HEIGHT * small) * count;
     if (!image_create(wall, inner + 2 * side, pictures[0].height + 2 * side + words + (words ? side / 2 : 0), error))
         return false;
     fill(wall, 0, 0, wall->width, wall->height, colour(0.012f, 0.012f, 0.016f));
@@ -113,7 +110,7 @@ static bool make_frame(const Arguments *a, const Image pictures[2], Image *wall,
         hang(wall, &pictures[1], side + pictures[0].width + gap, side);
     int y = side + pictures[0].height + side / 2 + 4;
     write_words(wall, side, y, large, a->title);
-    write_words(wall, side, y + (*a->title ? (LINE + 4) * large : 0), small, lines);
+    write_words(wall, side, y + title, small, lines);
     return true;
 }
 

@@ -55,6 +55,7 @@ static const char help_end[] =
     "  --watch DIR --build COMMAND   after each save below DIR: sh -c COMMAND sh SOURCE.c OBJECT.so, and new photons\n"
     "  --judge COMMAND      … and sh -c COMMAND sh ID, whose verdict of the step stands in the panel\n"
     "  --stage N            begin with a step of this stage, and go on to other stages' scenes with their steps\n"
+    "  --stages N           the course has the first N stages; the panel leaves out the others\n"
     "  --report FILE        what the key `o` opens\n"
     "  --orbit SECONDS      the window turns by itself for so long, and tells how many frames a second it made\n";
 
@@ -172,6 +173,7 @@ static int parse(int count, char **arguments, Arguments *a)
         {"watch", FLAG_TEXT, &o->source, 0, 0},
         {"build", FLAG_TEXT, &o->build, 0, 0},
         {"stage", FLAG_INT, &o->stage, 1, STAGE_COUNT},
+        {"stages", FLAG_INT, &o->stages, 1, STAGE_COUNT},
         {"judge", FLAG_TEXT, &o->judge, 0, 0},
         {"report", FLAG_TEXT, &o->report, 0, 0},
         {"orbit", FLAG_FLOAT, &o->orbit_seconds, 0, 3600},

@@ -57,7 +57,9 @@ static int step_under_mouse(App *app)
 {
     double x = app->mouse_x, y = app->mouse_y;
     pixels_of(app, &x, &y);
-    return app->session.coach.judging ? panel_step_at(app->canvas, &app->view, (float)x, (float)y) : -1;
+    const Coach *coach = &app->session.coach;
+    int step = coach->judging ? panel_step_at(app->canvas, &app->view, (float)x, (float)y) : -1;
+    return step < (int)coach->verdicts.count ? step : -1;
 }
 
 static void on_button(Window *window, int button, int action, int modifiers)

@@ -1,12 +1,14 @@
 # The live preview; included by the Makefile. lib/preview/ belongs to the program, not to the library: steps never draw.
 
-# STAGE chooses the scene, where SCENE does not: one in which all of its steps play, mirror and glass of stage 1 too.
-STAGE_SCENES    := $(shell sed -n 's/^STAGE.\([0-9]*\), *"\(.*\)".*/\1=\2/p' lib/steps/steps.def)
+# STAGE chooses the scene, where SCENE does not: one in which all of its steps play, mirror and glass of stage 1 too. A course of
+# fewer stages has empty steps for these alone.
+STAGES          := $(words $(wildcard exercises/.stubs/*/))
+STAGE_SCENES    := $(wordlist 1,$(STAGES),$(shell sed -n 's/^STAGE.\([0-9]*\), *"\(.*\)".*/\1=\2/p' lib/steps/steps.def))
 PREVIEW_SCENE    = $(if $(filter undefined file,$(origin SCENE)),$(or $(patsubst $(or $(STAGE),1)=%,%,$(filter $(or $(STAGE),1)=%,$(STAGE_SCENES))),$(error STAGE=$(STAGE): expected one of $(foreach s,$(STAGE_SCENES),$(firstword $(subst =, ,$(s)))))),$(SCENE))
 PREVIEW_SNAPSHOT = $(BUILD)/preview.png
 
 # What a stage is about is what its preview renders; its own scene is left with its steps.
-STAGE_FLAGS      = $(if $(filter undefined file,$(origin SCENE)),--stage $(or $(STAGE),1))
+STAGE_FLAGS      = --stages $(STAGES) $(if $(filter undefined file,$(origin SCENE)),--stage $(or $(STAGE),1))
 PREVIEW_JUDGE    = $(call quoted,exec nice $(JUDGE) --build $(BUILD) --work $(BUILD)/verdicts --code $(call quoted,$(CODE)) --jobs 1 --lines --step "$$1" 2>&1)
 PREVIEW_FLAGS    = --code '$(CODE_BUILD)' --watch $(call quoted,$(CODE_SOURCE)) --build $(STEP_COMMAND) --report '$(BUILD)/report/index.html'
 

@@ -24,7 +24,7 @@ bool session_start(Session *session, const Scene *scene, const PreviewOptions *o
     if (options->source && options->build &&
         !(session->watch = watch_start(options->source, options->code, options->build, error)))
         return false;
-    if (!coach_start(&session->coach, session->watch ? options->judge : NULL, options->stage))
+    if (!coach_start(&session->coach, session->watch ? options->judge : NULL, options->stage, options->stages))
         return error_set(error, "not enough memory for the preview");
     if (!options->given[YOURS])
         session_ask_photons(session);

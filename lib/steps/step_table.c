@@ -36,6 +36,14 @@ const StepInfo *step_find(const char *id)
     return NULL;
 }
 
+size_t step_count_of(int stages)
+{
+    size_t count = 0;
+    while (count < STEP_COUNT && (stages == 0 || step_table[count].stage <= stages))
+        count++;
+    return count;
+}
+
 bool step_is_listed(const char *list, const char *id)
 {
     for (size_t length; *list; list += length + (list[length] != '\0')) {

@@ -56,6 +56,9 @@ extern const char *const stage_scenes[STAGE_COUNT]; // that show a stage, from s
 // The step of this id; NULL: there is none.
 const StepInfo *step_find(const char *id);
 
+// How many steps the first stages have, which the table begins with. 0: all.
+size_t step_count_of(int stages);
+
 // Is the id one of the list's words, which blanks or commas part? 1.1 is not in "1.10".
 bool step_is_listed(const char *list, const char *id);
 

@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/files.sh"
 cd "$here/../.." || exit 2
 command -v zip >/dev/null || { echo "gradescope: zip is missing (on Debian: apt-get install zip)" >&2; exit 2; }
-"$PHOTONLAB_BUILD/class_table" --points "${PHOTONLAB_POINTS:-tests/judge/points.txt}" || exit 2
+"$PHOTONLAB_BUILD/class_table" --points "${PHOTONLAB_POINTS:-tests/judge/points.txt}" >/dev/null || exit 2
 mkdir -p "$PHOTONLAB_OUT" || exit 2
 work=$(mktemp -d "$PHOTONLAB_OUT/.making.XXXXXX") || exit 2
 trap 'rm -rf "$work"' EXIT

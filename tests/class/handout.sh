@@ -6,12 +6,14 @@
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/files.sh"
+. "$here/fewer_stages.sh"
 cd "$here/../.." || exit 2
 with=${PHOTONLAB_WITH_SOLUTIONS:-}
 [ "$with" = 1 ] || with=""
 [ -n "$(ls solutions/*/*.c 2>/dev/null)" ] ||
     { echo "handout: there are no solutions here to build the reference from" >&2; exit 2; }
-"$PHOTONLAB_BUILD/class_table" --points "${PHOTONLAB_POINTS:-tests/judge/points.txt}" || exit 2
+points=${PHOTONLAB_POINTS:-tests/judge/points.txt}
+course=$("$PHOTONLAB_BUILD/class_table" --points "$points") || exit 2 # a step a line, and what it is worth
 version=$(framework_version)
 mkdir -p "$PHOTONLAB_OUT" || exit 2
 work=$(mktemp -d "$PHOTONLAB_OUT/.making.XXXXXX") || exit 2
@@ -29,6 +31,7 @@ students='^tests/(common\.sh|setup\.sh|help\.awk)$|^tests/class/(class\.mk|submi
 framework_files | grep -E "$students" >"$work/list"
 framework_files | grep -vE "$secret|$students" >>"$work/list"
 copy_files "$top" <"$work/list" || exit 1
+cp "$points" "$top/tests/judge/points.txt" || exit 1
 
 # Stubs as they were, whatever somebody has tried in exercises/.
 for stub in exercises/.stubs/*/*.c; do
@@ -37,6 +40,10 @@ done
 find "$top/exercises" -name '*.c' ! -path '*/.stubs/*' | while IFS= read -r file; do
     [ -f "exercises/.stubs/${file#"$top/exercises/"}" ] || rm -f "$file"
 done
+
+last=$(echo "$course" | sed -n '$s/\..*//p')
+[ ! -e exercises/.stubs/$((last + 1))_* ] || fewer_stages "$top" "$last" || exit 1
+first_points "$top" "$(echo "$course" | sed -n 's/^1\.1 //p')" "$(echo "$course" | wc -l)" || exit 1
 
 # What is for teachers alone would lead to files that are not there: sections of READMEs, and lines of `make help`.
 find "$top" \( -name '*.md' -exec sed -i '/^<!-- teachers -->$/,/^<!-- end of teachers -->$/d' {} + \) -o \
@@ -70,5 +77,5 @@ archive=$PHOTONLAB_OUT/photonlab-$version.tar.gz
 tar -cf "$work/archive.tar" --format=ustar --sort=name --owner=0 --group=0 --numeric-owner --mode=go-w -C "$work" \
     "photonlab-$version" &&
     gzip -n -9 "$work/archive.tar" && mv "$work/archive.tar.gz" "$archive" || exit 1
-echo "$archive: $(wc -l <"$top/.photonlab-files") files, $(du -k "$archive" | cut -f1) kB, $(
+echo "$archive: stages 1 to $last, $(wc -l <"$top/.photonlab-files") files, $(du -k "$archive" | cut -f1) kB, $(
     [ -n "$with" ] && echo "with solutions' sources" || echo "reference built for ${platform%-*} ${platform#*-}")"

@@ -61,9 +61,11 @@ static bool references_are_there(Error *error)
     return true;
 }
 
-static bool is_wanted(const Arguments *a, const StepInfo *step)
+// Measurements are of all stages, whatever the course has.
+static bool is_wanted(const Arguments *a, const PointsTable *points, const StepInfo *step)
 {
-    return (!a->step || strcmp(a->step, step->id) == 0) && (a->stage == 0 || a->stage == step->stage);
+    bool of_course = step->stage <= points->stages || a->features || a->scatters > 0;
+    return of_course && (!a->step || strcmp(a->step, step->id) == 0) && (a->stage == 0 || a->stage == step->stage);
 }
 
 static int exit_code(const Arguments *a, const StepResult *results, int count, const StageResult *stages)
@@ -89,7 +91,7 @@ static int list_wanted(const Arguments *a, const PointsTable *points, StepResult
 {
     int count = 0;
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        if (!is_wanted(a, &step_table[i]))
+        if (!is_wanted(a, points, &step_table[i]))
             continue;
         results[count] = (StepResult){.step = &step_table[i], .status = STATUS_SKIP};
         snprintf(results[count].words.message, sizeof results[count].words.message, "grading did not get this far");
@@ -136,10 +138,10 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
     Error error = {""};
     int count = list_wanted(a, points, results);
     if (count == 0) {
-        fprintf(stderr, "judge: there is no step or stage like that; there are");
-        for (size_t i = 0; i < STEP_COUNT; i++)
+        fprintf(stderr, "judge: the course has no step or stage like that; it has");
+        for (size_t i = 0; i < step_count_of(points->stages); i++)
             fprintf(stderr, " %s", step_table[i].id);
-        fprintf(stderr, ", and stages 1 to %d\n", step_table[STEP_COUNT - 1].stage);
+        fprintf(stderr, ", and stages 1 to %d\n", points->stages);
         return EXIT_USAGE;
     }
     if (a->scatters > 0)

@@ -17,8 +17,8 @@ judged() {
 }
 
 judged 2 "expected a folder laid out like exercises/" --code "$work/nowhere"
-judged 2 "there is no step or stage like that; there are 1.1 1.2" --step 9.9
-judged 2 "there is no step or stage like that" --stage x
+judged 2 "the course has no step or stage like that; it has 1.1 1.2" --step 9.9
+judged 2 "the course has no step or stage like that" --stage x
 judged 2 "what is \`2.1\`" 2.1
 judged 0 "0 passed, 0 failed" --stage 1
 judged 1 "6 not started" --stage 1 --strict
@@ -202,6 +202,8 @@ table "none" "stage 2 due 2026-02-30" 2 "a date that there are"
 table "none" "stage 9 weight 2" 2 "of a stage"
 table "step 2.1" "step 2.1 6
 stages 1" 0 "5 of 5 points"
+judged 2 "it has 1.1 1.2 1.3 1.4 1.5 1.6, and stages 1 to 1" --step 2.1 --points "$work/points"
+table "none" "stages 1.5" 2 "how many stages"
 table "none" "stages 99" 2 "how many stages"
 table "picture" "picture 120" 2 "a percentage from 0 to 100"
 

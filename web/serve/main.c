@@ -23,6 +23,7 @@ static const char help[] =
     "  --judge COMMAND     and sh -c COMMAND sh ID, whose verdict of the step stands beside\n"
     "  --scene NAME        of the page's scenes, to begin with\n"
     "  --stage N           begin with a step of this stage\n"
+    "  --stages N          the course has the first N stages; the panel leaves out the others\n"
     "  --port N            (any that is free)\n";
 
 static volatile sig_atomic_t ended;
@@ -49,7 +50,8 @@ int main(int count, char **arguments)
         {"watch", FLAG_TEXT, &options.source, 0, 0},         {"code", FLAG_TEXT, &options.objects, 0, 0},
         {"build", FLAG_TEXT, &options.build, 0, 0},          {"link", FLAG_TEXT, &options.link, 0, 0},
         {"judge", FLAG_TEXT, &options.judge, 0, 0},          {"scene", FLAG_TEXT, &options.scene, 0, 0},
-        {"stage", FLAG_INT, &options.stage, 0, STAGE_COUNT}, {"port", FLAG_INT, &options.port, 0, 65535},
+        {"stage", FLAG_INT, &options.stage, 0, STAGE_COUNT}, {"stages", FLAG_INT, &options.stages, 0, STAGE_COUNT},
+        {"port", FLAG_INT, &options.port, 0, 65535},
     };
     CommandLine line = {"serve", help, "one folder", flags, FLAG_COUNT(flags), 1, 1};
     int wrong = command_line_parse(&line, count, arguments, &options.page);

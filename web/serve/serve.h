@@ -18,6 +18,7 @@ typedef struct {
     const char *page;             // folder of tab.html, tab.js and photonlab.wasm
     const char *scene;            // to begin with: a name in the page
     int stage;                    // whose steps come first; 0: any
+    int stages;                   // of the course, from the first; 0: all
     int port;                     // 0: any that is free
 } TabOptions;
 

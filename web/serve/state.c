@@ -36,7 +36,7 @@ char *tab_state(const Tab *tab)
 {
     const Verdicts *verdicts = &tab->coach.verdicts;
     json_t *steps_now = json_array();
-    for (size_t i = 0; i < STEP_COUNT; i++)
+    for (size_t i = 0; i < verdicts->count; i++)
         json_array_append_new(steps_now, step(tab, i));
     const char *broken = watch_broken(tab->watch);
     const char *fault = broken[0] ? broken : tab->link_failure[0] ? tab->link_failure : tab->failure;

@@ -143,7 +143,7 @@ bool tab_start(Tab *tab, const TabOptions *options, Error *error)
     snprintf(tab->scene, sizeof tab->scene, "%s", options->scene);
     snprintf(tab->module, sizeof tab->module, "%s/students.wasm", options->objects);
     tab->watch = watch_start(options->source, options->objects, options->build, error);
-    return tab->watch && (coach_start(&tab->coach, options->judge, options->stage) ||
+    return tab->watch && (coach_start(&tab->coach, options->judge, options->stage, options->stages) ||
                           error_set(error, "not enough memory for the judge's verdicts"));
 }
 

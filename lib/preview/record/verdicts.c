@@ -37,8 +37,8 @@ const StepInfo *verdicts_take_line(Verdicts *verdicts, const char *line)
 
 size_t verdicts_next(const Verdicts *verdicts)
 {
-    for (size_t i = 1; i < STEP_COUNT; i++) {
-        size_t step = (verdicts->present + i) % STEP_COUNT;
+    for (size_t i = 1; i < verdicts->count; i++) {
+        size_t step = (verdicts->present + i) % verdicts->count;
         if (verdicts->steps[step].state != VERDICT_PASS)
             return step;
     }
@@ -47,7 +47,7 @@ size_t verdicts_next(const Verdicts *verdicts)
 
 bool verdicts_all_right(const Verdicts *verdicts)
 {
-    for (size_t i = 0; i < STEP_COUNT; i++)
+    for (size_t i = 0; i < verdicts->count; i++)
         if (verdicts->steps[i].state != VERDICT_PASS)
             return false;
     return true;

@@ -24,6 +24,7 @@ typedef struct {
 
 typedef struct {
     Verdict steps[STEP_COUNT];
+    size_t count;   // of the steps of the course; the others are in no panel, and never come next
     size_t present; // that is worked on
     char hint[1200];
 } Verdicts;

@@ -92,7 +92,7 @@ static void write_marks(Column *column, const Verdicts *verdicts)
                                               [VERDICT_FAIL] = {255, 120, 105, 255},
                                               [VERDICT_ERROR] = {255, 120, 105, 255}};
     float cell = column->width / MOST_IN_STAGE, high = line_height(column);
-    for (size_t i = 0, place = 0; i < STEP_COUNT; i++, place++) {
+    for (size_t i = 0, place = 0; i < verdicts->count; i++, place++) {
         const Verdict *verdict = &verdicts->steps[i];
         if (i > 0 && step_table[i].stage != step_table[i - 1].stage) {
             place = 0;

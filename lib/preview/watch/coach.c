@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool coach_start(Coach *coach, const char *command, int stage)
+bool coach_start(Coach *coach, const char *command, int stage, int stages)
 {
-    *coach = (Coach){.stage = stage};
+    *coach = (Coach){.stage = stage, .verdicts = {.count = step_count_of(stages)}};
     return !command || (coach->judging = judging_start(command));
 }
 
@@ -18,15 +18,15 @@ void coach_stop(Coach *coach)
 // Of the stage that was asked for, the first step that is not started; otherwise of all, or the first.
 static size_t first_open(const Coach *coach, const StepState states[STEP_COUNT])
 {
-    size_t first = STEP_COUNT;
-    for (size_t i = 0; i < STEP_COUNT; i++) {
+    size_t count = coach->verdicts.count, first = count;
+    for (size_t i = 0; i < count; i++) {
         bool open = states[i] != STEP_STUDENT;
         bool of_stage = coach->stage == 0 || step_table[i].stage == coach->stage;
         if (open && of_stage)
             return i;
-        first = first == STEP_COUNT && of_stage ? i : first;
+        first = first == count && of_stage ? i : first;
     }
-    return first < STEP_COUNT ? first : 0;
+    return first < count ? first : 0;
 }
 
 void coach_note_states(Coach *coach, const StepState states[STEP_COUNT])

@@ -12,8 +12,8 @@ typedef struct {
     int hints[STEP_COUNT]; // given
 } Coach;
 
-// `command`: NULL: nobody judges. False: memory is short.
-bool coach_start(Coach *coach, const char *command, int stage);
+// `command`: NULL: nobody judges. `stages`: of the course; 0: all. False: memory is short.
+bool coach_start(Coach *coach, const char *command, int stage, int stages);
 void coach_stop(Coach *coach);
 
 // Which steps are started; and those that nobody has judged yet are to be.

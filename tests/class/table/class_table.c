@@ -2,6 +2,7 @@
 #include "class/table/class_table.h"
 #include "base/command_line.h"
 #include "base/file.h"
+#include "judge/report/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,7 +12,7 @@ static const char help[] =
     "usage: class_table [flags] [OUT LIST]\n"
     "\n"
     "Makes OUT/class.csv, index.html and lecture.html of the reports in OUT. LIST holds the submissions' names, each with a 0\n"
-    "byte behind it. Without OUT only the points table is read, to see whether it is right.\n"
+    "byte behind it. Without OUT it says what the course's steps are worth by the points table, a line each.\n"
     "\n"
     "  --points FILE    what steps are worth, and when they are due (tests/judge/points.txt)\n"
     "  --roster FILE    a CSV with a row for each student\n"
@@ -55,6 +56,13 @@ static void order_rows(Table *table, Student *students, size_t count, Student *a
         if (!students[i].in_roster)
             table->rows[table->count++] = (TableRow){&students[i], 0};
     }
+}
+
+static void print_course(const PointsTable *points)
+{
+    char text[40];
+    for (size_t i = 0; i < step_count_of(points->stages); i++)
+        printf("%s %s\n", step_table[i].id, text_points(points->points[i], text, sizeof text));
 }
 
 static void write_head(FILE *stream, const Table *table, const Csv *roster)
@@ -197,6 +205,8 @@ int main(int count, char **arguments)
     Error error = {""};
     bool ok = points_read(a.points ? a.points : "tests/judge/points.txt", &table.points, &error) &&
               (!a.files[1] || run(&a, &table, &error));
+    if (ok && !a.files[1])
+        print_course(&table.points);
     free(table.rows);
     roster_free(&table.roster);
     if (!ok)

@@ -208,9 +208,9 @@ all)
     passed=$((passed + $(grep -c '^✓' "$work/odd-lines")))
     failed=$((failed + $(grep -c '^✗' "$work/odd-lines")))
     check "$(grep -c '^[✓✗]' "$work/odd-lines") == 17" "odd: all of it was tried"
-    check_class; check_roster; check_canvas; check_moodle; check_language; check_gradescope
+    check_fewer; check_class; check_roster; check_canvas; check_moodle; check_language; check_gradescope
     ;;
-odd | class | roster | canvas | moodle | language) "check_$1" ;;
+odd | fewer | class | roster | canvas | moodle | language) "check_$1" ;;
 gradescope) check_handout; check_submit; make_odd; check_gradescope ;;
 *) check_handout; "check_$1" ;;
 esac

@@ -19,6 +19,16 @@ names_only_what_is_there() {
         bad "handout: its pages name what is not there: $(cat "$work/said")"
 }
 
+has_no_dead_links() {
+    (cd "$1" && find . -name '*.md' | while IFS= read -r file; do
+        grep -o '](\([^)#:]*\))' "$file" | sed 's/^](//; s/)$//' | while IFS= read -r link; do
+            page=${file%/*}/$link # a chapter links to another's page, which its Markdown becomes
+            [ -e "$page" ] || [ -e "${page%.html}.md" ] || echo "$file: $link"; done; done
+        sed -n 's/^## .*{\(#[^} ]*\).*/\1/p; s/^::::* {[^#]*\(#[^} ]*\).*/\1/p' course_notes/gallery.md | sort -u >"$work/tiles"
+        cat course_notes/*.md | tr '\n' ' ' | grep -oE '\]\((gallery.html)?#(m|step)-[^)]*' | sed 's/.*#/#/' | sort -u | comm -13 "$work/tiles" -) >"$work/said"
+    [ ! -s "$work/said" ] && good "handout: no dead links" || bad "handout: dead links: $(cat "$work/said")"
+}
+
 check_handout() {
     local tree
     PHOTONLAB_OUT=$work/handout PHOTONLAB_VERSION=1 bash "$here/handout.sh" >"$work/said" 2>&1 ||
@@ -45,11 +55,7 @@ check_handout() {
     ok "handout: its README names no solutions, and no tests that are not there" \
         not grep -qE 'solutions/|CODE=solutions|setup check' "$tree/README.md"
     ok "handout: nothing for teachers alone in its README" not grep -qi "teacher\|make class" "$tree/README.md"
-    (cd "$tree" && find . -name '*.md' | while IFS= read -r file; do
-        grep -o '](\([^)#:]*\))' "$file" | sed 's/^](//; s/)$//' | while IFS= read -r link; do
-            page=${file%/*}/$link # a chapter links to another's page, which its Markdown becomes
-            [ -e "$page" ] || [ -e "${page%.html}.md" ] || echo "$file: $link"; done; done) >"$work/said"
-    [ ! -s "$work/said" ] && good "handout: no dead links" || bad "handout: dead links: $(cat "$work/said")"
+    has_no_dead_links "$tree"
     names_only_what_is_there "$tree"
     (cd "$tree" && make help) >"$work/help" 2>&1
     says "  test  .*grade your work" "$work/help" "handout: make help lists what students do"
@@ -78,6 +84,38 @@ check_handout() {
     mv "$tree"/prebuilt/*-* "$tree/prebuilt/sparc-Multics"
     (cd "$tree" && make all) >"$work/said" 2>&1 && bad "handout: builds on another machine"
     says "built for: sparc Multics" "$work/said" "handout: on another machine it says what the reference was built for"
+}
+
+# A course of three stages, by one line in points.txt: for its students there are no others.
+check_fewer() {
+    local tree=$work/photonlab-three judge
+    { cat "$root/tests/judge/points.txt"; echo "stages 3"; } >"$work/three.txt"
+    PHOTONLAB_POINTS=$work/three.txt PHOTONLAB_OUT=$work/three PHOTONLAB_VERSION=three bash "$here/handout.sh" >"$work/said" 2>&1
+    says "stages 1 to 3, " "$work/said" "fewer: which stages there are"
+    tar -xzf "$work/three/photonlab-three.tar.gz" -C "$work" || bad "fewer: its archive"
+    ok "fewer: no step, hint or wrong picture of the others" not ls -d "$tree"/exercises/[4-9]* "$tree"/exercises/.stubs/[4-9]* \
+        "$tree"/lib/steps/hints/[4-9]* "$tree"/course_notes/figures/gallery_[4-9]_*
+    ok "fewer: no row of theirs in its lists, no tile in the gallery" not grep -rnE '^\| \[?[4-9][ .]|#(m|step)-[4-9]' \
+        "$tree/README.md" "$tree/exercises" "$tree/course_notes" --include='*.md' --exclude=notation.md
+    check "$(grep -l 'Your course ends with stage 3' "$tree"/course_notes/*.md | wc -l) == 3" "fewer: their chapters say that they are to be read"
+    has_no_dead_links "$tree"
+    (cd "$tree" && make -pRrq : 2>/dev/null) | grep -E '^STAGES :?= ' >"$work/said"
+    says '= 3$' "$work/said" "fewer: the preview's panel has three stages"
+    judge=("$build/judge" --build "$build" --work "$work/test" --root "$tree" --points "$tree/tests/judge/points.txt")
+    (cd "$tree" && "${judge[@]}"; "${judge[@]}" --step 4.1; sh tests/steps/hint.sh - 4.1 build; PHOTONLAB_BUILD=build bash tests/class/submit.sh) >"$work/said" 2>&1
+    says '^0 of 100 points' "$work/said" "fewer: three stages are all points"
+    says '^15 not started' "$work/said" "fewer: and all steps that the judge lists"
+    says 'the course has no step .* 3.5, and stages 1 to 3' "$work/said" "fewer: it says so to whoever asks for another"
+    says 'there is no step `4.1`' "$work/said" "fewer: so does a hint"
+    says '^not started: .* 3.5$' "$work/said" "fewer: submit lists no others"
+    { echo '#include "photonlab.h"'; sed -n '/^Vec3 reflect/,/^}/p' course_notes/0_start_here.md; } >"$tree/exercises/1_diffuse_photon_map/1.1_reflect.c"
+    (cd "$tree" && "${judge[@]}" --step 1.1) 2>&1 | sed '1{/^$/d;}; s/ *$//' >"$work/said"
+    grep -v '^make: ' "$tree/course_notes/figures/0_first.txt" | diff - "$work/said" >"$work/differs" &&
+        good "fewer: chapter 0 shows what the terminal says there" || bad "fewer: chapter 0 shows something else: $(cat "$work/differs")"
+    mkdir -p "$work/fewer/ada" && cp "$solved/$turn" "$solved"/*/6.1_* "$work/fewer/ada/"
+    grade fewer PHOTONLAB_POINTS="$work/three.txt"
+    says "stage_3,1.1,.*,3.5,passed," "$work/fewer-out/class.csv" "fewer: the class has no others"
+    in_table fewer-out ada '^ada,graded,5,100,.*,1,0,0,14,' "fewer: what is handed in of others counts for nothing"
 }
 
 # ---- submit, in the handout
@@ -112,7 +150,7 @@ check_submit() {
     # The finale by a judge to whom all is right, and a program that says what it is asked to draw.
     printf '#!/bin/sh\necho "$@" >&2\n' >"$tree/build/photonlab"
     (cd "$tree" && PHOTONLAB_BUILD=build PHOTONLAB_PLAYED=x PHOTONLAB_SIDE=8 bash tests/judge/finale.sh echo '5 of 5 points') >"$work/said" 2>&1
-    says "^frame .* --title Zoë_O'Neil " "$work/said" "submit: the finale's frame has the name from it"
+    says "^frame [^ ]*/colours.png -o .* --title Zoë_O'Neil " "$work/said" "submit: the finale's frame has the name from it, and one picture where the course has no wavelengths"
 }
 
 # ---- update, of the same handout

@@ -114,7 +114,7 @@ static bool read_line(char *line, Lines *lines, PointsTable *table, const char *
         return late_line(&rest, lines);
     *expected = "how many stages there are to be behind `stages`, e.g. `stages 3`";
     if (strcmp(word, "stages") == 0)
-        return number(&rest, 1.0, STAGE_COUNT, &lines->stages);
+        return number(&rest, 1.0, STAGE_COUNT, &lines->stages) && lines->stages == (int)lines->stages;
     *expected = "a line that begins with step, stage, stages, late, total or picture";
     return false;
 }
@@ -135,6 +135,7 @@ static bool weights_to_points(const char *path, const Lines *lines, PointsTable 
         return error_set(error, "%s: all weights are 0", path);
     for (int i = 0; i < STEP_COUNT; i++)
         table->points[i] *= lines->total / sum;
+    table->stages = (int)lines->stages;
     table->picture_share = lines->picture / 100.0;
     table->late_per_day = lines->late_per_day / 100.0;
     table->late_most = lines->late_most / 100.0;

@@ -6,6 +6,7 @@
 
 typedef struct {
     double points[STEP_COUNT]; // in the order of step_table; their sum is `total`
+    int stages;                // of the course, from the first: `stages 3`
     bool hidden[STEP_COUNT];
     char due[STEP_COUNT][16]; // "2026-12-01" or empty
     double picture_share;     // of a step's points: what hangs on its picture alone, 0…1

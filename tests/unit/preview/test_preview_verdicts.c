@@ -25,6 +25,8 @@ TEST(a_line_becomes_a_verdict)
 TEST(the_next_step_is_one_that_is_not_right)
 {
     memset(&verdicts, 0, sizeof verdicts);
+    verdicts.count = step_count_of(0);
+    assert_int_equal(verdicts.count, STEP_COUNT);
     verdicts.steps[1].state = VERDICT_PASS;
     assert_int_equal(verdicts_next(&verdicts), 2);
     for (size_t i = 0; i < STEP_COUNT; i++)
@@ -36,6 +38,18 @@ TEST(the_next_step_is_one_that_is_not_right)
     assert_int_equal(verdicts_next(&verdicts), 3);
     verdicts.present = 3;
     assert_int_equal(verdicts_next(&verdicts), 3);
+}
+
+TEST(a_course_of_three_stages_ends_with_its_last_step)
+{
+    memset(&verdicts, 0, sizeof verdicts);
+    verdicts.count = step_count_of(3);
+    assert_string_equal(step_table[verdicts.count - 1].id, "3.5");
+    verdicts.present = verdicts.count - 1;
+    assert_int_equal(verdicts_next(&verdicts), 0);
+    for (size_t i = 0; i < verdicts.count; i++)
+        verdicts.steps[i].state = VERDICT_PASS;
+    assert_true(verdicts_all_right(&verdicts));
 }
 
 AROUND_TESTS(NULL, NULL)
