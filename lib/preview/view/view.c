@@ -103,6 +103,16 @@ void pane_look_at_scene(const Pane *pane)
     pane_look(pane, &pane->view->orbit, bvh_bounds(pane->scene->bvh), 0, 0);
 }
 
+float pane_look_at_sheet(const Pane *pane, Box box)
+{
+    Orbit orbit = {.vertical_fov = 20.0f};
+    orbit_frame(&orbit, box, (float)pane->width / (float)pane->height);
+    orbit.distance *= 1.25f; // the words stand around it
+    pane_frame(&pane->view->framing, &orbit);
+    pane_look(pane, &orbit, box, 0, 0);
+    return (box.high.y - box.low.y) / (2.0f * orbit.distance * tanf(10.0f * PI / 180.0f)) * (float)pane->height;
+}
+
 void pane_draw_cache(const Pane *pane, const Cache *cache, size_t first, size_t count, DrawStyle style)
 {
     vertex_buffer_draw(pane->canvas, &cache->buffer, first, count, &style);

@@ -58,6 +58,8 @@ struct Pane {
 // Everything is moved by so many pixels: lines drawn twice are twice as wide.
 void pane_look(const Pane *pane, const Orbit *orbit, Box box, float right, float down);
 void pane_look_at_scene(const Pane *pane);
+// From above, all of the box, which lies on the plane z = 0; as the view is framed. How many pixels it is high.
+float pane_look_at_sheet(const Pane *pane, Box box);
 // Nearer and to the side, as the view says, from where a view with no place in the scene is seen at first.
 void pane_frame(const Framing *framing, Orbit *orbit);
 // Vertices first … first+count−1, as many as there are.
@@ -75,7 +77,8 @@ double wrap(double value, double low, double high);
 // ---- points ----
 // Factor on colours such that so many photons over so many pixels make a picture of middle brightness.
 float points_exposure(size_t count, float pixels, float point_size);
-float points_size(size_t count, float pixels, float scale);
+// Photons of a cache over so many pixels; `strength` 1: of middle brightness.
+void pane_draw_points(const Pane *pane, const Cache *cache, size_t first, size_t count, float area, float strength);
 // Of the scene's photons, pixels that they are spread over.
 float points_area(const Pane *pane);
 Rgba points_colour(const ViewData *data, ColourMode mode, const StoredPhoton *photon);

@@ -15,10 +15,18 @@ float points_exposure(size_t count, float pixels, float point_size)
     return fminf(fmaxf(exposure, LEAST_EXPOSURE), 1.0f);
 }
 
-float points_size(size_t count, float pixels, float scale)
+static float points_size(size_t count, float pixels, float scale)
 {
     float size = floorf(sqrtf(0.5f * pixels / ((float)count + 1.0f)) + 0.5f);
     return fminf(fmaxf(size, 1.0f), 2.0f + scale);
+}
+
+void pane_draw_points(const Pane *pane, const Cache *cache, size_t first, size_t count, float area, float strength)
+{
+    float size = points_size(count, area, pane->scale);
+    pane_draw_cache(
+        pane, cache, first, count,
+        (DrawStyle){.additive = true, .exposure = strength * points_exposure(count, area, size), .point_size = size});
 }
 
 float points_area(const Pane *pane)
@@ -71,10 +79,8 @@ static void draw(const Pane *pane)
     if (!cache_is(points,
                   (const double[KEY_SIZE]){data->recordings, view->colour, view->flight, flying * (double)drawn}))
         build(data, view, flying ? drawn : count);
-    float area = points_area(pane), size = points_size(drawn, area, pane->scale);
-    float exposure = view_brightness(view) * points_exposure(drawn, area, size);
     pane_look_at_scene(pane);
-    pane_draw_cache(pane, points, 0, drawn, (DrawStyle){.additive = true, .exposure = exposure, .point_size = size});
+    pane_draw_points(pane, points, 0, drawn, points_area(pane), view_brightness(view));
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)

@@ -139,20 +139,11 @@ static void draw(const Pane *pane)
     Box box = box_empty();
     for (int i = 0; i < 4; i++)
         box_add_point(&box, sheet_point(&sheet, (float)(i & 1), (float)(i >> 1)));
-    Orbit orbit = {.vertical_fov = 20.0f};
-    orbit_frame(&orbit, box, (float)pane->width / (float)pane->height);
-    orbit.distance *= 1.25f; // the words stand around it
-    pane_frame(&view->framing, &orbit);
-    pane_look(pane, &orbit, box, 0, 0);
+    float high = pane_look_at_sheet(pane, box);
     pane_draw_cache(pane, cache, 0, found->first_point, (DrawStyle){.kind = DRAW_LINES});
-    float high = (box.high.y - box.low.y) / (2.0f * orbit.distance * tanf(10.0f * PI / 180.0f)) * (float)pane->height;
     float area = high * high * (box.high.x - box.low.x) / (box.high.y - box.low.y);
     size_t drawn = view->most_points && view->most_points < found->arrivals ? view->most_points : found->arrivals;
-    float size = points_size(drawn, area, pane->scale);
-    pane_draw_cache(pane, cache, found->first_point, drawn,
-                    (DrawStyle){.additive = true,
-                                .point_size = size,
-                                .exposure = view_brightness(view) * points_exposure(drawn, area, size)});
+    pane_draw_points(pane, cache, found->first_point, drawn, area, view_brightness(view));
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)

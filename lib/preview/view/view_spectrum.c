@@ -76,18 +76,13 @@ static void build(ViewData *data, const Found *found)
 static void draw(const Pane *pane)
 {
     ViewData *data = pane->data;
-    const View *view = pane->view;
+    int material = material_shown(pane->view);
     Cache *bars = &data->caches[VIEW_SPECTRUM][BARS];
-    if (!cache_is(bars, (const double[KEY_SIZE]){data->recordings, material_shown(view)})) {
-        measure(data, material_shown(view), data->found[VIEW_SPECTRUM]);
+    if (!cache_is(bars, (const double[KEY_SIZE]){data->recordings, material})) {
+        measure(data, material, data->found[VIEW_SPECTRUM]);
         build(data, data->found[VIEW_SPECTRUM]);
     }
-    Box box = {{-0.5f, -0.05f, 0}, {0.5f, HEIGHT_TO_ONE, 0}};
-    Orbit orbit = {.vertical_fov = 20.0f};
-    orbit_frame(&orbit, box, (float)pane->width / (float)pane->height);
-    orbit.distance *= 1.25f; // the words stand around it
-    pane_frame(&view->framing, &orbit);
-    pane_look(pane, &orbit, box, 0, 0);
+    pane_look_at_sheet(pane, (Box){{-0.5f, -0.05f, 0}, {0.5f, HEIGHT_TO_ONE, 0}});
     pane_draw_cache(pane, bars, 0, bars->buffer.count, (DrawStyle){.kind = DRAW_LINES});
 }
 

@@ -90,13 +90,11 @@ static void draw(const Pane *pane)
     Cache *boxes = &data->caches[VIEW_TREE][BOXES], *points = &data->caches[VIEW_TREE][POINTS];
     if (!cache_is(boxes, (const double[KEY_SIZE]){data->recordings, level}))
         build(data, level);
-    size_t count = points->buffer.count, lines = boxes->buffer.count;
-    float area = points_area(pane), size = points_size(count, area, pane->scale);
-    float exposure = points_exposure(count, area, size);
+    size_t lines = boxes->buffer.count;
+    float area = points_area(pane);
     pane_look_at_scene(pane);
     // The photons lie in the order of cells: no first part of them is a fair sample, so all are drawn.
-    pane_draw_cache(pane, points, 0, count,
-                    (DrawStyle){.additive = true, .point_size = size, .exposure = 0.6f * exposure});
+    pane_draw_points(pane, points, 0, points->buffer.count, area, 0.6f);
     float strength = fminf(fmaxf(40.0f * sqrtf(area) / ((float)lines + 1.0f), 0.1f), 0.6f);
     pane_draw_cache(pane, boxes, 0, lines, (DrawStyle){.kind = DRAW_LINES, .additive = true, .exposure = strength});
 }
