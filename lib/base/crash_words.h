@@ -11,7 +11,7 @@ typedef struct {
 } SourcePlace;
 
 // Takes apart what `addr2line -f -i` says: two lines a place, the function and FILE:LINE, innermost first. Leaves out
-// what has no name. How many places.
+// what has no name, and places in headers: those are the library's, built into the step. How many places.
 int crash_places(const char *text, SourcePlace *places, int most);
 
 // What a fatal signal says. `place`: " in reflect, line 7", or "".

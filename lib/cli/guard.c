@@ -113,13 +113,10 @@ static void name_place(char *text, size_t size)
             process_read(&process, answer, sizeof answer, &used);
         count = crash_places(answer, places, MOST_PLACES);
     }
-    int own = 0; // what stands in a header is the library's, built into the step
-    while (own < count && strstr(places[own].file, ".h"))
-        own++;
     const StepInfo *step = step_find(id);
     snprintf(text, size, "step %s", id);
-    if (own < count)
-        text_append(text, size, ", %s:%d", places[own].file, places[own].line);
+    if (count > 0)
+        text_append(text, size, ", %s:%d", places[0].file, places[0].line);
     text_append(text, size, ": %s", step ? step->symbol : "?");
 }
 

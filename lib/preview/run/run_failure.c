@@ -12,7 +12,6 @@
 #define MOST_PLACES     16
 #define LONGEST_LOOK_UP 1.0 // s
 
-// A place in a header is the library's, built into the step.
 static void read_answer(const char *text, SourcePlace *place)
 {
     SourcePlace places[MOST_PLACES];

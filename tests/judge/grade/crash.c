@@ -60,18 +60,6 @@ static void read_last_words(const char *text, LastWords *words)
     }
 }
 
-// Places in headers are the library's, built into the step.
-static int leave_out_headers(SourcePlace *places, int count)
-{
-    int kept = 0;
-    for (int i = 0; i < count; i++) {
-        size_t length = strlen(places[i].file);
-        if (length < 2 || strcmp(places[i].file + length - 2, ".h") != 0)
-            places[kept++] = places[i];
-    }
-    return kept;
-}
-
 static int find_places(const GradeOptions *options, const LastWords *words, const char *object, SourcePlace *places)
 {
     const char *arguments[7 + MOST_PLACES] = {"addr2line", "-f", "-i", "-e", object};
@@ -88,7 +76,7 @@ static int find_places(const GradeOptions *options, const LastWords *words, cons
         arguments[5 + i] = words->frames[i];
     int count = 0;
     if (ran && words->frame_count > 0 && sandbox_run(options->sandbox, &run, ran, NULL) && ran->exit_code == 0)
-        count = leave_out_headers(places, crash_places(ran->text, places, MOST_PLACES));
+        count = crash_places(ran->text, places, MOST_PLACES);
     free(ran);
     return count;
 }
