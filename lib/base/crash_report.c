@@ -102,6 +102,20 @@ void crash_walk(const char *place, void (*take)(const CrashPlace *place))
 #endif
 }
 
+bool crash_take_inner(InnerPlace *inner, const CrashPlace *place, const char *folder)
+{
+    if (!folder[0] || strncmp(place->object, folder, strlen(folder)) != 0)
+        return false;
+    inner->calls_itself = inner->calls_itself || (inner->function && place->function == inner->function);
+    inner->function = inner->function ? inner->function : place->function;
+    if (inner->object[0])
+        return false;
+    inner->offset = place->offset;
+    strncpy(inner->object, place->object, sizeof inner->object - 1);
+    strncpy(inner->symbol, place->symbol ? place->symbol : "", sizeof inner->symbol - 1);
+    return true;
+}
+
 void crash_watch(void (*tell)(const Crash *crash), const int *signals, size_t count)
 {
     static char own_stack[64 << 10];

@@ -33,4 +33,14 @@ typedef struct {
 // handler's own. Over a broken stack finding these may crash: what is known should be said as it comes.
 void crash_walk(const char *place, void (*take)(const CrashPlace *place));
 
+// The innermost of these places that lies in objects of one folder: in a student's steps.
+typedef struct {
+    char object[1024], symbol[128]; // object "": there is none
+    const void *function;
+    unsigned long long offset;
+    bool calls_itself; // further out its function stands again
+} InnerPlace;
+// Takes a place of crash_walk. True: it is the innermost. `folder` ends with a slash.
+bool crash_take_inner(InnerPlace *inner, const CrashPlace *place, const char *folder);
+
 #endif

@@ -27,16 +27,15 @@
 
 typedef struct {
     int signal; // SIGPROF: it never ends
-    bool stack_far, calls_itself;
-    unsigned long long address, offset;
-    char object[PATH_MAX];
+    bool stack_far;
+    unsigned long long address;
+    InnerPlace inner; // in their code
 } Fall;
 
 static int out = -1; // to the one who waits
 static char student[PATH_MAX];
 static volatile sig_atomic_t ticks, most_ticks;
 static Fall fall;
-static const void *inner; // the innermost function of theirs on the way to it
 
 void guard_alive(void)
 {
@@ -45,14 +44,7 @@ void guard_alive(void)
 
 static void take_place(const CrashPlace *place)
 {
-    if (strncmp(place->object, student, strlen(student)) != 0)
-        return;
-    fall.calls_itself = fall.calls_itself || (inner && place->function == inner);
-    inner = inner ? inner : place->function;
-    if (fall.object[0])
-        return;
-    fall.offset = place->offset;
-    strncpy(fall.object, place->object, sizeof fall.object - 1);
+    crash_take_inner(&fall.inner, place, student);
 }
 
 static void on_crash(const Crash *crash)
@@ -70,10 +62,10 @@ static void on_tick(int number)
 {
     int reason = errno;
     if (++ticks > most_ticks) {
-        fall.object[0] = '\0';
+        fall.inner.object[0] = '\0';
         crash_walk(NULL, take_place);
         fall.signal = number;
-        if (fall.object[0] && write_all(out, &fall, sizeof fall))
+        if (fall.inner.object[0] && write_all(out, &fall, sizeof fall))
             _exit(EXIT_INPUT);
     }
     errno = reason;
@@ -100,12 +92,12 @@ static void name_place(char *text, size_t size)
 {
     char offset[32], id[8], answer[4096] = "";
     size_t used = 0;
-    const char *slash = strrchr(fall.object, '/'), *name = slash ? slash + 1 : fall.object;
-    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", fall.object, offset, NULL};
+    const char *slash = strrchr(fall.inner.object, '/'), *name = slash ? slash + 1 : fall.inner.object;
+    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", fall.inner.object, offset, NULL};
     SourcePlace places[MOST_PLACES];
     Process process;
     snprintf(id, sizeof id, "%.*s", (int)strcspn(name, "_"), name);
-    snprintf(offset, sizeof offset, "0x%llx", fall.offset);
+    snprintf(offset, sizeof offset, "0x%llx", fall.inner.offset);
     int count = 0;
     if (process_start(&process, arguments, PRINTS_OUTPUT)) {
         int status;
@@ -123,14 +115,14 @@ static void name_place(char *text, size_t size)
 static void explain(void)
 {
     char place[600] = "while none of your steps ran", what[256];
-    if (fall.object[0])
+    if (fall.inner.object[0])
         name_place(place, sizeof place);
     if (fall.signal == SIGPROF)
         snprintf(what, sizeof what,
                  "it ran on for %d s of processor time without a part of the work done: a loop that never ends?",
                  PATIENCE * TICK);
     else if (fall.stack_far)
-        crash_describe_stack(NULL, fall.calls_itself ? "it" : NULL, what, sizeof what);
+        crash_describe_stack(NULL, fall.inner.calls_itself ? "it" : NULL, what, sizeof what);
     else
         crash_describe_signal(fall.signal, fall.address, "", what, sizeof what);
     fprintf(stderr, "\n%s: %s\n", place, what);

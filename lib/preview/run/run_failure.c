@@ -37,7 +37,7 @@ static Fault fault_of(const Run *run)
     Fault fault = {.kind = FAULT_SIGNAL,
                    .signal = crash->signal,
                    .address = crash->address,
-                   .calls_itself = crash->calls_itself,
+                   .calls_itself = crash->inner.calls_itself,
                    .run = run->request.kind,
                    .patience = run->patience};
     if (crash->signal == 0)
@@ -52,10 +52,10 @@ static Fault fault_of(const Run *run)
         fault.kind = FAULT_ABORT;
     if (run->stuck && !crash->refused)
         fault.memory_gb = (double)crash->grown_kb / (1024.0 * 1024.0);
-    if (!crash->object[0])
+    if (!crash->inner.object[0])
         return fault;
-    fault_source_name(crash->object, fault.place.file, sizeof fault.place.file);
-    snprintf(fault.place.function, sizeof fault.place.function, "%s", crash->symbol);
+    fault_source_name(crash->inner.object, fault.place.file, sizeof fault.place.file);
+    snprintf(fault.place.function, sizeof fault.place.function, "%s", crash->inner.symbol);
     read_answer(run->found, &fault.place);
     return fault;
 }
@@ -120,10 +120,10 @@ static void describe_failure(const Run *run, char *text, size_t size)
 static bool look_up(Run *run)
 {
     char offset[32];
-    snprintf(offset, sizeof offset, "0x%llx", run->crash.offset);
-    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", run->crash.object, offset, NULL};
+    snprintf(offset, sizeof offset, "0x%llx", run->crash.inner.offset);
+    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", run->crash.inner.object, offset, NULL};
     run->look_until = clock_seconds() + LONGEST_LOOK_UP;
-    return run->crash.object[0] && process_start(&run->looker, arguments, PRINTS_OUTPUT);
+    return run->crash.inner.object[0] && process_start(&run->looker, arguments, PRINTS_OUTPUT);
 }
 
 static void finish_failure(Run *run)

@@ -61,7 +61,7 @@ static void take_crash(Run *run, const char *bytes)
 {
     WireCrash crash;
     memcpy(&crash, bytes, sizeof crash);
-    if (!run->has_crash || crash.object[0] || !run->crash.object[0])
+    if (!run->has_crash || crash.inner.object[0] || !run->crash.inner.object[0])
         run->crash = crash;
     run->has_crash = true;
 }

@@ -2,6 +2,7 @@
 #ifndef PHOTONLAB_PREVIEW_WIRE_H
 #define PHOTONLAB_PREVIEW_WIRE_H
 
+#include "base/crash_report.h"
 #include "preview/run/run.h"
 
 #define MOST_WORKERS 8
@@ -53,15 +54,12 @@ typedef struct {
 } WirePicture;
 
 typedef struct {
-    int signal;     // SIGUSR1: it was asked where it is; 0: exit() was called
-    bool stack_far; // see Crash
-    bool calls_itself;
+    int signal;                  // SIGUSR1: it was asked where it is; 0: exit() was called
+    bool stack_far;              // see Crash
     bool refused;                // the last that failed was to get memory
     unsigned long long grown_kb; // memory since the work began
     unsigned long long address;
-    // The innermost place in the student's code; object "" when it was elsewhere.
-    unsigned long long offset;
-    char object[1024], symbol[128];
+    InnerPlace inner; // in the student's code
 } WireCrash;
 
 #endif

@@ -2,7 +2,6 @@
 #include "preview/run/worker.h"
 #include "preview/record/fault.h"
 #include "base/parallel.h"
-#include "base/crash_report.h"
 #include "base/process.h"
 
 #include <errno.h>
@@ -40,7 +39,6 @@ static char student[4096];             // the folder that their objects come fro
 static bool over;                      // what comes now is no longer the student's doing
 static unsigned long long peak_before; // kB
 static WireCrash crash;
-static const void *inner; // the innermost function of theirs on the way to it
 
 // It is looked at for every path: right to some milliseconds, and cheap.
 static double coarse_seconds(void)
@@ -76,16 +74,8 @@ void worker_beat(double fraction)
 // The first in the student's code is where it was, and goes out at once.
 static void take_place(const CrashPlace *place)
 {
-    if (!student[0] || strncmp(place->object, student, strlen(student)) != 0)
-        return;
-    crash.calls_itself = crash.calls_itself || (inner && place->function == inner);
-    inner = inner ? inner : place->function;
-    if (crash.object[0])
-        return;
-    crash.offset = place->offset;
-    strncpy(crash.object, place->object, sizeof crash.object - 1);
-    strncpy(crash.symbol, place->symbol ? place->symbol : "", sizeof crash.symbol - 1);
-    worker_send(WIRE_CRASH, &crash, sizeof crash);
+    if (crash_take_inner(&crash.inner, place, student))
+        worker_send(WIRE_CRASH, &crash, sizeof crash);
 }
 
 static void tell_crash(const char *place)
