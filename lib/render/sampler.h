@@ -29,12 +29,24 @@ static inline uint32_t sobol_second(uint32_t x)
     return result;
 }
 
+// Another order of the samples: each block of 2, 4, 8 … stays together (Laine & Karras 2011, as Burley 2020 uses it).
+static inline uint32_t shuffled(uint32_t index, uint32_t seed)
+{
+    uint32_t x = bits_reversed(index) + seed;
+    x ^= x * 0x6c50b47cu;
+    x ^= x * 0xb82f1e52u;
+    x ^= x * 0xc7afe638u;
+    x ^= x * 0x8d22f6e6u;
+    return bits_reversed(x);
+}
+
 // The sampler's point in [0,1)² for one use (the film, light 0, light 1, …); each use is scrambled by itself.
 static inline void sampler_point(const Sampler *sampler, uint32_t use, float *u, float *v)
 {
     uint64_t scramble = hash_u64(sampler->pixel + use);
-    *u = (float)((bits_reversed(sampler->index) ^ (uint32_t)scramble) >> 8) * (1.0f / 16777216.0f);
-    *v = (float)((sobol_second(sampler->index) ^ (uint32_t)(scramble >> 32)) >> 8) * (1.0f / 16777216.0f);
+    uint32_t index = use ? shuffled(sampler->index, (uint32_t)(hash_u64(scramble) >> 32)) : sampler->index;
+    *u = (float)((bits_reversed(index) ^ (uint32_t)scramble) >> 8) * (1.0f / 16777216.0f);
+    *v = (float)((sobol_second(index) ^ (uint32_t)(scramble >> 32)) >> 8) * (1.0f / 16777216.0f);
 }
 
 #define SAMPLER_FILM  0u
