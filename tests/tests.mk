@@ -139,7 +139,7 @@ check-scatter: judge
 check-pictures: all $(PROBE) $(BUILD)/calibrate
 	@sh tests/judge/picture_test.sh $(BUILD)
 
-##maintainer calibrate  what right pictures are like: tests/reference/pictures/ (ten minutes)
+##maintainer calibrate  what right pictures are like: tests/reference/pictures/ (half an hour)
 $(BUILD)/calibrate: $(call object,$(wildcard tests/judge/calibrate/*.c) $(addprefix tests/judge/checks/,pictures.c picture_statistics.c plan.c \
                         statistics.c)) $(LIBRARY)
 	$(call link,$(JUDGE_LIBS))
