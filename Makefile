@@ -73,7 +73,7 @@ OPENMP_WAY := $(firstword $(foreach by,$(OPENMP_BY),$(shell echo 'int main(void)
                   $(CC) $(subst @, ,$(by)) -include omp.h $(PKG_CFLAGS) -x c - $(filter -L%,$(PKG_LIBS)) -o /dev/null 2>/dev/null && echo $(by))))
 OPENMP     := $(filter-out -l%,$(subst @, ,$(OPENMP_WAY)))
 
-override CFLAGS += $(if $(HAVE_PREVIEW),,-DWITHOUT_PREVIEW) $(STANDARD) $(OPTIMISE) -g -fPIC $(OWN_CALLS) $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(or $(EXTRA),$(if $(CHECK),-Werror))
+override CFLAGS += $(STANDARD) $(OPTIMISE) -g -fPIC $(OWN_CALLS) $(OPENMP) -Ilib -Itests $(PKG_CFLAGS) $(or $(EXTRA),$(if $(CHECK),-Werror))
 LDLIBS           = $(PKG_LIBS) -lm $(if $(filter Linux,$(SYSTEM)),-ldl) $(subst @, ,$(OPENMP_WAY))
 
 # Folders called test hold programs of their own.
@@ -82,7 +82,7 @@ LIBRARY_SOURCES := $(filter-out lib/cli/% lib/preview/% lib/image/exr$(if $(HAVE
 # Without the headers of GLFW and OpenGL there is no preview, and `photonlab preview` says what to install.
 HAVE_PREVIEW    := $(shell $(CC) $(PKG_CFLAGS) -DGLFW_INCLUDE_GLCOREARB -include GLFW/glfw3.h -fsyntax-only -x c /dev/null 2>/dev/null && echo yes)
 PREVIEW_SOURCES := $(if $(HAVE_PREVIEW),$(call find_c,lib/preview))
-PROGRAM_SOURCES := $(call find_c,lib/cli) $(PREVIEW_SOURCES)
+PROGRAM_SOURCES := $(filter-out $(if $(HAVE_PREVIEW),%/preview_none.c,%/preview.c %/frame.c),$(call find_c,lib/cli)) $(PREVIEW_SOURCES)
 STEP_SOURCES     = $(wildcard solutions/*/*.c)
 
 object   = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))

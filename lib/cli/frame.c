@@ -1,14 +1,4 @@
 #include "cli/cli.h"
-
-#ifdef WITHOUT_PREVIEW // the letters are the preview's
-
-int command_frame(int count, char **arguments)
-{
-    return command_preview(count, arguments);
-}
-
-#else
-
 #include "preview/draw/canvas_internal.h"
 
 #include <math.h>
@@ -133,5 +123,3 @@ int command_frame(int count, char **arguments)
     image_free(&wall);
     return ok ? 0 : report_error(&error);
 }
-
-#endif

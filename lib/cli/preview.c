@@ -1,20 +1,4 @@
 #include "cli/cli.h"
-
-#ifdef WITHOUT_PREVIEW // the Makefile found no headers for it
-
-#include <stdio.h>
-
-int command_preview(int count, char **arguments)
-{
-    (void)count, (void)arguments;
-    fputs("this program was built without GLFW; Debian, Ubuntu: apt-get install libglfw3-dev; Fedora: dnf install "
-          "glfw-devel; Arch: pacman -S glfw; macOS: brew install glfw; then make clean, make\n",
-          stderr);
-    return EXIT_INPUT;
-}
-
-#else
-
 #include "base/text.h"
 #include "preview/preview.h"
 
@@ -267,5 +251,3 @@ int command_preview(int count, char **arguments)
     scene_free(scene);
     return ok ? 0 : report_error(&error);
 }
-
-#endif
