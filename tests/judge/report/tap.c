@@ -39,13 +39,12 @@ static void write_checks(const ReportStep *step, FILE *stream)
 
 static void write_details(const ReportStep *step, FILE *stream)
 {
-    static const char *const severities[] = {"pass", "fail", "error", "todo", "skip"};
     char points[40], most[40];
     fputs("  ---\n", stream);
     write_field(stream, "message", step->message);
-    fprintf(stream, "  severity: %s\n  points: %s\n  points_max: %s\n  seconds: %.3f\n", severities[step->status],
-            text_points(step->points, points, sizeof points), text_points(step->points_max, most, sizeof most),
-            step->seconds);
+    fprintf(stream, "  severity: %s\n  points: %s\n  points_max: %s\n  seconds: %.3f\n",
+            status_table[step->status].name, text_points(step->points, points, sizeof points),
+            text_points(step->points_max, most, sizeof most), step->seconds);
     write_field(stream, "where", step->where);
     write_field(stream, "mistake", step->mistake);
     write_field(stream, "looks_like", step->looks_like);
