@@ -14,6 +14,7 @@ const scenes = Object.fromEntries([...document.querySelectorAll('script[type="te
 // What a page of its own around the lab does otherwise (serve/tab.js).
 const home = {
     scene: 'box_glass.yaml',
+    parameters: {photons: 200000}, // of a scene that is chosen
     banner: text => text, // what stands in it: the lab's own words, and perhaps more
     compiled: () => Photonlab.compile(),
     workers: async compiled => new PhotonlabWorkers(compiled),
@@ -225,7 +226,7 @@ function wantScene(rest = 0) {
     }, rest)
 }
 
-function chooseScene(name, yaml = scenes[name], parameters = {photons: 200000}) {
+function chooseScene(name, yaml = scenes[name], parameters = home.parameters) {
     $('scene').value = name
     $('yaml').value = yaml
     if (!readScene(yaml, name, false)) return

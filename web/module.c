@@ -4,6 +4,7 @@
 #include "base/array.h"
 #include "photons/pass/oddities.h"
 #include "photons/photon_file.h"
+#include "preview/record/fault.h"
 #include "preview/run/wire.h"
 
 #include <stdlib.h>
@@ -36,7 +37,9 @@ bool EXPORT(web_scene)(const char *text, size_t size, const char *name, bool kee
     page.scene = scene;
     if (!kept) {
         page.view = view_default(scene);
+        StepChoice play = page.asked.play;
         page.asked = (RunRequest){.photons = scene->settings.photons, .seed = 1, .recorded = 1000, .samples = 10000};
+        page.asked.play = play;
         page.asked.depth = scene->settings.depth;
         page.asked.spectral = scene->settings.spectral;
         page.asked.integrator = scene->settings.integrator;
@@ -155,6 +158,16 @@ const char *EXPORT(web_oddities)(void)
     const Recording *all = &page.collected;
     Oddities found = {&all->ledger, all->emitted, &all->unsound, all->redraw_caps, all->states};
     oddities_describe(&found, page.text, sizeof page.text);
+    return page.text;
+}
+
+// That a student's step was built, and is not the one that played; "": it is.
+const char *EXPORT(web_unplayed)(const char *id)
+{
+    const StepInfo *step = step_find(id);
+    page.text[0] = '\0';
+    if (step)
+        fault_describe_unplayed(&page.collected, step, "make preview WEB=1", page.text, sizeof page.text);
     return page.text;
 }
 

@@ -101,7 +101,7 @@ class Photonlab {
 
     set(values) {
         for (const [name, value] of Object.entries(values)) {
-            if (name === 'steps') this.must('web_steps', value)
+            if (name === 'steps') this.must('web_steps', (this.steps = value))
             else this.must('web_set', name, typeof value === 'string' ? this.numberOf(name, value) : Number(value))
         }
     }
@@ -118,9 +118,9 @@ class Photonlab {
         return this.list[name] ? this.list[name][value] : value
     }
 
-    // {name: value} of all parameters.
+    // {name: value} of all parameters, and the steps that were chosen.
     all() {
-        return Object.fromEntries(this.list.parameters.map(({name}) => [name, this.call('web_get', name)]))
+        return {steps: this.steps || '', ...Object.fromEntries(this.list.parameters.map(({name}) => [name, this.call('web_get', name)]))}
     }
 
     // ---- runs ----

@@ -1,6 +1,7 @@
 #include "preview/session.h"
 #include "base/parallel.h"
 #include "base/text.h"
+#include "preview/record/fault.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -93,17 +94,13 @@ static bool poll_watch(Session *session)
     return false; // its photons are soon there: to draw now would keep them waiting
 }
 
-// A student saves, and nothing changes: another step does that work.
 static void tell_if_not_played(Session *session, const Recording *recording)
 {
     bool saved = session->watch && strcmp(session->asked_by, "save") == 0;
     const StepInfo *step = saved ? watch_step(session->watch) : NULL;
-    if (!step || recording->states[step - step_table] != STEP_STUDENT || step_is_played(step, recording->play))
-        return;
     char text[300];
-    snprintf(text, sizeof text,
-             "%s is built, but another step plays in its place; make preview FLAGS=\"--steps %s\" plays it", step->id,
-             step_chosen_by(step)->id);
+    if (!step || !fault_describe_unplayed(recording, step, "make preview", text, sizeof text))
+        return;
     puts(text);
     text_append(session->notice, sizeof session->notice, "%s%s", session->notice[0] ? "\n" : "", text);
 }

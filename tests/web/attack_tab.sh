@@ -14,9 +14,9 @@ echo "a module" >"$work/page/photonlab.wasm"
 echo "a secret" >"$work/secret"
 ln -s ../secret "$work/page/link"
 log=$work/log
-# start: another server; sets $server, $url, $port, $token.
+# start [SETTING…]: another server, with these in its environment; sets $server, $url, $port, $token.
 start() {
-    "$serve" "$work/page" --watch "$work/steps" --code "$work/objects" --build false --link 'echo linked >"$1"' >"$log" 2>&1 &
+    env "$@" "$serve" "$work/page" --watch "$work/steps" --code "$work/objects" --build false --link 'echo linked >"$1"' >"$log" 2>&1 &
     server=$!
     for _ in $(seq 100); do
         url=$(sed -n 's/^Your photons: //p' "$log")
@@ -48,6 +48,8 @@ first=$token
 [[ $token =~ ^[0-9a-f]{32}$ ]] && good "a token of 128 bits" || bad "a token of 128 bits: $token"
 answers "the page itself" 200 "$url"
 answers "… by a forwarded port" 200 -H 'Host: localhost:9' "$url"
+answers "… and what it tells there" 200 -H 'Host: localhost:9' -H 'Origin: http://localhost:9' -H 'Sec-Fetch-Site: same-origin' -d '' "$url"next
+answers "… where another page of that port's machine stands" 403 -H 'Host: localhost:9' -H 'Origin: http://127.0.0.1:9' -d '' "$url"next
 curl -s -D - -o /dev/null "$url" | grep -qi "^content-security-policy: default-src 'none'" && good "its scripts come from the server alone" || bad "no policy for scripts"
 
 # Other names for this machine, other pages, other sites.
@@ -117,4 +119,31 @@ check "$lines <= 100" "the terminal is not flooded: $lines refusals are told"
 kill "$server" && wait "$server"
 start
 [ "$token" != "$first" ] && good "another token each time" || bad "the same token again"
+kill "$server" && wait "$server"
+
+# GitHub Codespaces forwards the port as another host, and puts localhost into some headers on the way.
+start CODESPACE_NAME=fluffy-lamp GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN=app.github.dev
+codespace=fluffy-lamp-$port.app.github.dev
+grep -qF "https://$codespace/$token/" "$log" && good "in Codespaces: the address there is told" || bad "no address in Codespaces: $(cat "$log")"
+for host in "$codespace" "localhost:$port"; do
+    answers "in Codespaces, Host: $host" 200 -H "Host: $host" "$url"
+    for origin in "https://$codespace" "http://localhost:$port" "https://localhost:$port"; do
+        answers "… with Origin: $origin" 200 -H "Host: $host" -H "Origin: $origin" -d '' "$url"next
+    done
+    for origin in "https://evil-lamp-$port.app.github.dev" "https://$codespace.evil.example" "https://localhost:$((port + 1))" "ftp://$codespace" null; do
+        answers "… with Origin: $origin" 403 -H "Host: $host" -H "Origin: $origin" -d '' "$url"next
+    done
+done
+for host in "evil-lamp-$port.app.github.dev" "fluffy-lamp-$((port + 1)).app.github.dev" "$codespace.evil.example" app.github.dev evil.example; do
+    answers "in Codespaces, Host: $host" 403 -H "Host: $host" "$url"
+done
+other=(-H "Host: $codespace" -H 'Sec-Fetch-Site: cross-site')
+answers "the page, opened from GitHub's" 200 "${other[@]}" -H 'Sec-Fetch-Dest: document' "$url"
+answers "… without its token" 403 "${other[@]}" -H 'Sec-Fetch-Dest: document' "http://127.0.0.1:$port/${token//[0-9a-f]/0}/"
+answers "… its state" 403 "${other[@]}" -H 'Sec-Fetch-Dest: document' "$url"state
+answers "… as a script of another site" 403 "${other[@]}" -H 'Sec-Fetch-Dest: script' "$url"
+answers "… in a frame of another site" 403 "${other[@]}" -H 'Sec-Fetch-Dest: iframe' "$url"
+kill "$server" && wait "$server"
+start CODESPACE_NAME=$'evil.example\n' GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN='x@y/z'
+! grep -q Codespaces "$log" && good "names that are none are nobody's" || bad "$(cat "$log")"
 finish

@@ -67,6 +67,27 @@ async function verdicts(tab, page, name) {
     check(`${name}: a right one, too`, await within(page, () => document.querySelector('#verdicts h2').textContent.startsWith('✓ 1.3')), await text(page, 'verdicts'))
 }
 
+// With 3.4 written, the loop of 1.5 does not play: a save of it changes nothing, and that is said. Another save takes it away.
+async function notPlayed(tab, page, name) {
+    const loop = '1_diffuse_photon_map/1.5_trace_photon.c'
+    tab.save(loop, fs.readFileSync(`solutions/${loop}`, 'utf8'))
+    check(`${name}: a step that another plays for`,
+        await within(page, () => document.getElementById('fault').textContent === '1.5 is built, but another step plays in its place; make preview WEB=1 FLAGS="--steps 1.5" plays it'), await text(page, 'fault'))
+    const last = await module(page)
+    tab.save(BROKEN, good)
+    check(`${name}: … and no more after another's save`, await shown(page, last), await text(page, 'fault'))
+}
+
+// What that sentence advises.
+async function chosen(browser, name) {
+    const tab = await startTab(`${shots}/../tab_check`, 'FLAGS=--steps 1.5'), page = await browser.newPage()
+    await page.goto(tab.url)
+    await shown(page, 0)
+    const unplayed = id => page.evaluate(id => state.lab.text(state.lab.call('web_unplayed', id)), id)
+    check(`${name}: --steps 1.5 plays it`, await unplayed('1.5') === '' && /^3\.4 is built, but/.test(await unplayed('3.4')), await unplayed('1.5'))
+    await tab.end()
+}
+
 // What a step prints is text, whatever it says; a million lines are a hundred.
 async function printed(tab, page, name) {
     tab.save(BROKEN, step('', 'printf("<img src=x onerror=alert(1)><script>alert(2)</script>\\n"); return normal;'))
@@ -96,9 +117,11 @@ async function checkBrowser(name) {
     await page.screenshot({path: `${shots}/tab_${name}.png`})
     for (const row of DRILLS) await drill(tab, page, name, row)
     await verdicts(tab, page, name)
+    await notPlayed(tab, page, name)
     await printed(tab, page, name)
     await tab.end()
     check(`${name}: the end of make preview is told`, await within(page, () => /make preview has ended/.test(document.getElementById('fault').textContent)))
+    await chosen(browser, name)
     check(`${name}: no error in the page`, said.length === 0, said)
     await browser.close()
 }

@@ -109,7 +109,7 @@ enum MHD_Result server_answer(void *user, struct MHD_Connection *connection, con
                               const char *version, const char *bytes, size_t *size, void **kept)
 {
     Server *server = user;
-    const char *path = "", *why = gate_refuses(connection, method, url, server->token, &path);
+    const char *path = "", *why = gate_refuses(&server->gate, connection, method, url, &path);
     Question *question = *kept;
     (void)version;
     if (why) {

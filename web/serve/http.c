@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #define MOST_CONNECTIONS 256
 #define MOST_FILE        (1u << 26)
@@ -121,8 +122,6 @@ static bool start(Server *server, const TabOptions *options, Error *error)
 {
     struct sockaddr_in here = {.sin_family = AF_INET, .sin_port = htons((uint16_t)options->port)};
     here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (!gate_make_token(server->token))
-        return error_set(error, "serve: /dev/urandom cannot be read, and so there is no token");
     server->daemon =
         MHD_start_daemon(MHD_USE_AUTO | MHD_ALLOW_SUSPEND_RESUME | MHD_USE_ERROR_LOG, 0, NULL, NULL, server_answer,
                          server, MHD_OPTION_EXTERNAL_LOGGER, log_line, server, MHD_OPTION_SOCK_ADDR,
@@ -132,9 +131,8 @@ static bool start(Server *server, const TabOptions *options, Error *error)
     if (!server->daemon)
         return error_set(error, "serve: there is no port to be had at 127.0.0.1 (%d; 0: any)", options->port);
     const union MHD_DaemonInfo *info = MHD_get_daemon_info(server->daemon, MHD_DAEMON_INFO_BIND_PORT);
-    server->port = info ? info->port : options->port;
-    snprintf(server->url, sizeof server->url, "http://127.0.0.1:%d/%s/", server->port, server->token);
-    return true;
+    return gate_make(&server->gate, info ? info->port : options->port) ||
+           error_set(error, "serve: /dev/urandom cannot be read, and so there is no token");
 }
 
 Server *server_start(Tab *tab, const TabOptions *options, Error *error)
@@ -163,14 +161,17 @@ void server_stop(Server *server)
     free(server);
 }
 
-const char *server_url(const Server *server)
+void server_greet(const Server *server)
 {
-    return server->url;
-}
-
-int server_port(const Server *server)
-{
-    return server->port;
+    const Gate *gate = &server->gate;
+    char host[256] = "this-machine";
+    gethostname(host, sizeof host - 1);
+    printf("Your photons: http://127.0.0.1:%d/%s/\n", gate->port, gate->token);
+    if (gate->forwarded[0])
+        printf("  In Codespaces: https://%s/%s/. ctrl-c ends it.\n", gate->forwarded, gate->token);
+    else
+        printf("  From another machine: ssh -L %d:127.0.0.1:%d %s, then open the same address there. ctrl-c ends it.\n",
+               gate->port, gate->port, host);
 }
 
 void server_run(Server *server, int milliseconds, bool news)

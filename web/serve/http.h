@@ -43,8 +43,8 @@ struct Server {
     Tab *tab;
     char *bytes[NAMES];
     size_t sizes[NAMES];
-    char token[33], url[128];
-    int port, visit_count;
+    Gate gate;
+    int visit_count;
     struct {
         const char *what;
         int times;

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #define BUSY_WAIT 5  // ms, while something is built
 #define IDLE_WAIT 25 // ms: as late as this a save is noticed
@@ -22,6 +21,7 @@ static const char help[] =
     "  --link COMMAND      then sh -c COMMAND sh MODULE.wasm OBJECT.so…\n"
     "  --judge COMMAND     and sh -c COMMAND sh ID, whose verdict of the step stands beside\n"
     "  --scene NAME        of the page's scenes, to begin with\n"
+    "  --steps LIST        which play where several do the same work, as photonlab preview has it\n"
     "  --stage N           begin with a step of this stage\n"
     "  --stages N          the course has the first N stages; the panel leaves out the others\n"
     "  --port N            (any that is free)\n";
@@ -34,23 +34,19 @@ static void on_signal(int number)
     ended = true;
 }
 
-static void greet(const Server *server)
-{
-    char host[256] = "this-machine";
-    gethostname(host, sizeof host - 1);
-    printf("Your photons: %s\n", server_url(server));
-    printf("  From another machine: ssh -L %d:127.0.0.1:%d %s, then open the same address there. ctrl-c ends it.\n",
-           server_port(server), server_port(server), host);
-}
-
 int main(int count, char **arguments)
 {
     TabOptions options = {.scene = "box_diffuse.yaml"};
     const Flag flags[] = {
-        {"watch", FLAG_TEXT, &options.source, 0, 0},         {"code", FLAG_TEXT, &options.objects, 0, 0},
-        {"build", FLAG_TEXT, &options.build, 0, 0},          {"link", FLAG_TEXT, &options.link, 0, 0},
-        {"judge", FLAG_TEXT, &options.judge, 0, 0},          {"scene", FLAG_TEXT, &options.scene, 0, 0},
-        {"stage", FLAG_INT, &options.stage, 0, STAGE_COUNT}, {"stages", FLAG_INT, &options.stages, 0, STAGE_COUNT},
+        {"watch", FLAG_TEXT, &options.source, 0, 0},
+        {"code", FLAG_TEXT, &options.objects, 0, 0},
+        {"build", FLAG_TEXT, &options.build, 0, 0},
+        {"link", FLAG_TEXT, &options.link, 0, 0},
+        {"judge", FLAG_TEXT, &options.judge, 0, 0},
+        {"scene", FLAG_TEXT, &options.scene, 0, 0},
+        {"steps", FLAG_TEXT, &options.steps, 0, 0},
+        {"stage", FLAG_INT, &options.stage, 0, STAGE_COUNT},
+        {"stages", FLAG_INT, &options.stages, 0, STAGE_COUNT},
         {"port", FLAG_INT, &options.port, 0, 65535},
     };
     CommandLine line = {"serve", help, "one folder", flags, FLAG_COUNT(flags), 1, 1};
@@ -67,7 +63,7 @@ int main(int count, char **arguments)
     signal(SIGTERM, on_signal);
     signal(SIGPIPE, SIG_IGN);
     if (tab_start(&tab, &options, &error) && (server = server_start(&tab, &options, &error)))
-        greet(server);
+        server_greet(server);
     while (server && !ended)
         server_run(server, tab_is_busy(&tab) ? BUSY_WAIT : IDLE_WAIT, tab_poll(&tab));
     server_stop(server);

@@ -17,6 +17,7 @@ typedef struct {
     const char *judge;            // … see judging.h; NULL: nobody judges
     const char *page;             // folder of tab.html, tab.js and photonlab.wasm
     const char *scene;            // to begin with: a name in the page
+    const char *steps;            // which play where several do the same work; NULL: what the student has
     int stage;                    // whose steps come first; 0: any
     int stages;                   // of the course, from the first; 0: all
     int port;                     // 0: any that is free
@@ -67,18 +68,24 @@ char *tab_state(const Tab *tab);
 
 // ---- gate.c ----
 
+typedef struct {
+    char token[33];
+    int port;
+    char forwarded[300]; // the host that GitHub Codespaces forwards the port as; "": this is none of them
+} Gate;
+
+bool gate_make(Gate *gate, int port); // false: there are no random numbers for a token
 // Why this request is none of the page's own; NULL: it is. *path: what it asks for, behind the token.
-const char *gate_refuses(struct MHD_Connection *connection, const char *method, const char *url, const char *token,
+const char *gate_refuses(const Gate *gate, struct MHD_Connection *connection, const char *method, const char *url,
                          const char **path);
-bool gate_make_token(char token[33]);
 
 // ---- http.c ----
 
 typedef struct Server Server;
 Server *server_start(Tab *tab, const TabOptions *options, Error *error);
 void server_stop(Server *server);
-const char *server_url(const Server *server);
-int server_port(const Server *server);
+// Tells how to reach it.
+void server_greet(const Server *server);
 // Waits for so long, or until something comes, and answers it. `news`: whoever waits for another state gets it.
 void server_run(Server *server, int milliseconds, bool news);
 

@@ -57,8 +57,10 @@ tab-tools:
 	[ -z "$$missing" ] || { echo "Your photons in the browser need what is missing here:$$missing. On Debian: make setup WEB=1" >&2; exit 1; }; \
 	[ -n "$(PREBUILT_WASM)$(STEP_SOURCES)" ] || { echo "This archive was made without the browser's part; ask your teacher for one that has it." >&2; exit 1; }
 
+# Of the window's flags.
+TAB_STEPS = $(patsubst --steps=%,--steps %,$(filter --steps=%,$(subst --steps ,--steps=,$(FLAGS))))
 TAB_SERVE = $(SERVE) $(TAB) --watch $(call quoted,$(CODE_SOURCE)) --code $(call quoted,$(TAB_CODE)) --build $(call quoted,$(TAB_COMPILE)) \
-            --link $(call quoted,$(TAB_LINK)) --scene $(call quoted,$(notdir $(PREVIEW_SCENE))) $(STAGE_FLAGS) $(if $(PORT),--port $(PORT))
+            --link $(call quoted,$(TAB_LINK)) --scene $(call quoted,$(notdir $(PREVIEW_SCENE))) $(STAGE_FLAGS) $(TAB_STEPS) $(if $(PORT),--port $(PORT))
 TAB_OBJECTS = $(patsubst $(CODE_SOURCE)/%.c,$(TAB_CODE)/%.so,$(wildcard $(addprefix $(CODE_SOURCE)/,$(STEP_FILES))))
 tab: all meshes code-there $(SERVE) $(TAB)/photonlab.wasm $(TAB)/tab.html $(TAB)/tab.js $(TAB_OBJECTS)
 

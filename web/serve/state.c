@@ -38,15 +38,17 @@ char *tab_state(const Tab *tab)
     json_t *steps_now = json_array();
     for (size_t i = 0; i < verdicts->count; i++)
         json_array_append_new(steps_now, step(tab, i));
+    const StepInfo *saved = watch_step(tab->watch);
     const char *broken = watch_broken(tab->watch);
     const char *fault = broken[0] ? broken : tab->link_failure[0] ? tab->link_failure : tab->failure;
-    json_t *state =
-        json_pack("{s:I, s:i, s:s, s:o, s:o, s:o, s:b, s:o, s:o, s:b, s:i, s:s, s:b, s:o, s:o}", "number",
-                  (json_int_t)tab->number, "module", tab->module_number, "students", tab->students, "fault",
-                  text(fault), "warning", text(tab->warning), "build", text(tab->build), "building", tab->building,
-                  "scene", text(tab->scene), "source", text(tab->options->source), "judged", tab->coach.judging != NULL,
-                  "present", (int)verdicts->present, "next", step_table[verdicts_next(verdicts)].id, "finished",
-                  verdicts_all_right(verdicts), "hint", text(verdicts->hint), "steps", steps_now);
+    json_t *state = json_pack("{s:I, s:i, s:s, s:o, s:o, s:o, s:b, s:o, s:o, s:s, s:s, s:b, s:i, s:s, s:b, s:o, s:o}",
+                              "number", (json_int_t)tab->number, "module", tab->module_number, "students",
+                              tab->students, "fault", text(fault), "warning", text(tab->warning), "build",
+                              text(tab->build), "building", tab->building, "scene", text(tab->scene), "source",
+                              text(tab->options->source), "play", tab->options->steps ? tab->options->steps : "",
+                              "saved", saved ? saved->id : "", "judged", tab->coach.judging != NULL, "present",
+                              (int)verdicts->present, "next", step_table[verdicts_next(verdicts)].id, "finished",
+                              verdicts_all_right(verdicts), "hint", text(verdicts->hint), "steps", steps_now);
     char *json = state ? json_dumps(state, JSON_COMPACT) : NULL;
     json_decref(state);
     return json;

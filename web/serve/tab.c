@@ -142,6 +142,9 @@ bool tab_start(Tab *tab, const TabOptions *options, Error *error)
         (Tab){.options = options, .stage = options->stage, .linker = {0, -1}, .looker = {0, -1}, .link_wanted = true};
     snprintf(tab->scene, sizeof tab->scene, "%s", options->scene);
     snprintf(tab->module, sizeof tab->module, "%s/students.wasm", options->objects);
+    StepChoice play;
+    if (options->steps && !step_choice_parse(options->steps, &play, error))
+        return false;
     tab->watch = watch_start(options->source, options->objects, options->build, error);
     return tab->watch && (coach_start(&tab->coach, options->judge, options->stage, options->stages) ||
                           error_set(error, "not enough memory for the judge's verdicts"));

@@ -1,16 +1,17 @@
 // One's own code in the lab: the server says what was built and how the steps are, workers run it, and the panel stands beside.
 
-const student = {number: -1, module: -1, now: null, good: null, lost: false, printed: ''}
+const student = {number: -1, module: -1, now: null, good: null, lost: false, printed: '', unplayed: ''}
 const MARK_CLASSES = {pass: 'right', fail: 'wrong', error: 'wrong'}
 
 globalThis.photonlabHome = {
-    banner: text => [student.lost, student.now && student.now.fault, student.now && student.now.warning, text].filter(Boolean).join('\n'),
+    banner: text => [student.lost, student.now && student.now.fault, student.now && student.now.warning, student.unplayed, text].filter(Boolean).join('\n'),
     compiled: () => WebAssembly.compileStreaming(fetch('photonlab.wasm')),
     workers: async compiled => {
         LIMITS.run = 3 * LIMIT // guard.c ends loops of steps sooner, and knows where; a busy machine is none
         buildPanel()
         await askState()
         home.scene = student.now.scene
+        home.parameters.steps = student.now.play
         const workers = new PhotonlabWorkers((await newModule()) || compiled, student.now.students)
         workers.print = showPrinted
         return workers
@@ -19,6 +20,8 @@ globalThis.photonlabHome = {
     keys: {n: () => tellServer('next'), '?': () => tellServer('hint')},
     done: messages => {
         student.good = messages
+        student.unplayed = state.lab.text(state.lab.call('web_unplayed', student.now.saved))
+        fault(state.fault)
     },
     // The last good photons stay; the server finds the words, and looks up the line.
     failed: (error, run) => {

@@ -103,3 +103,13 @@ void fault_describe_missing(const char *folder, const StepInfo *step, const char
     snprintf(what, sizeof what, "calls `%s`, and there is no such function", name);
     put_place(&place, what, text, size);
 }
+
+bool fault_describe_unplayed(const Recording *recording, const StepInfo *step, const char *make, char *text,
+                             size_t size)
+{
+    if (recording->states[step - step_table] != STEP_STUDENT || step_is_played(step, recording->play))
+        return false;
+    snprintf(text, size, "%s is built, but another step plays in its place; %s FLAGS=\"--steps %s\" plays it", step->id,
+             make, step_chosen_by(step)->id);
+    return true;
+}

@@ -36,6 +36,10 @@ void fault_describe_what(const Fault *fault, char *what, size_t size); // the sa
 // A step calls a function that nobody has. `symbol`: its name, with anything behind; `folder`: of the student's files.
 void fault_describe_missing(const char *folder, const StepInfo *step, const char *symbol, char *text, size_t size);
 
+// A student saves, and nothing changes: another step does that work. False: theirs plays. `make`: how they call the preview.
+bool fault_describe_unplayed(const Recording *recording, const StepInfo *step, const char *make, char *text,
+                             size_t size);
+
 // The name of a step's file: "1.3_scatter_diffuse.c" of "…/1.3_scatter_diffuse", with or without ".so".
 void fault_source_name(const char *path, char *file, size_t size);
 
