@@ -71,6 +71,7 @@ write_config() {
     [ -z "${PHOTONLAB_COLUMN:-}" ] || table+=(--column "$PHOTONLAB_COLUMN")
     [ -z "${PHOTONLAB_FORMAT:-}" ] || table+=(--format "$PHOTONLAB_FORMAT")
     [ -z "${PHOTONLAB_GRADE:-}" ] || table+=(--grade "$PHOTONLAB_GRADE")
+    [ -z "${PHOTONLAB_EARLIER:-}" ] || table+=(--earlier "$(realpath "$PHOTONLAB_EARLIER/class.csv")")
     [ ! -d "$build/notes" ] || table+=(--notes "$(realpath --relative-to "$out" "$build/notes")")
     (umask 077 && : >"$out/.parts/.config") # it holds the salt
     {
@@ -105,6 +106,8 @@ plan() {
     [ -n "${PHOTONLAB_DIR:-}" ] || stop "which submissions? make class DIR=submissions [ROSTER=roster.csv]"
     [ -e "$PHOTONLAB_DIR" ] || stop "$PHOTONLAB_DIR: no such folder"
     [ -z "$roster" ] || [ -r "$roster" ] || stop "$roster: cannot be read"
+    [ -z "${PHOTONLAB_EARLIER:-}" ] || [ -r "$PHOTONLAB_EARLIER/class.csv" ] ||
+        stop "EARLIER=$PHOTONLAB_EARLIER: no class was graded there, there is no class.csv"
     [ -z "${PHOTONLAB_FORMAT:-}" ] || [ -n "$roster" ] ||
         stop "FORMAT=$PHOTONLAB_FORMAT needs a roster: ROSTER=…, as $PHOTONLAB_FORMAT gave it out"
     mkdir -p "$PHOTONLAB_OUT/.parts" || exit 2

@@ -18,13 +18,14 @@ $(BUILD)/class_flags.sh: Makefile tests/steps/exercises.mk
 
 class-tools: $(BUILD)/class_flags.sh judge $(WRITE_REPORTS) $(CLASS_UNPACK) $(CLASS_TABLE)
 
-##teacher class  grade a class: [SALT=secret] make class DIR=submissions [ROSTER=roster.csv] [FORMAT=moodle|canvas] [GRADE=assignment] [OUT=build/class] [REGRADE=1]
+##teacher class  grade a class: [SALT=secret] make class DIR=submissions [ROSTER=roster.csv] [FORMAT=moodle|canvas] [GRADE=assignment] [OUT=build/class] [EARLIER=build/class-1] [REGRADE=1]
 ##teacher class-slurm  the same by a Slurm cluster, in parts: … make class-slurm DIR=submissions [SHARDS=64] …
 class class-slurm: export PHOTONLAB_DIR = $(DIR)
 class class-slurm: export PHOTONLAB_ROSTER = $(ROSTER)
 class class-slurm: export PHOTONLAB_COLUMN = $(COLUMN)
 class class-slurm: export PHOTONLAB_FORMAT = $(FORMAT)
 class class-slurm: export PHOTONLAB_GRADE = $(GRADE)
+class class-slurm: export PHOTONLAB_EARLIER = $(EARLIER)
 class class-slurm: export PHOTONLAB_OUT = $(or $(OUT),$(BUILD)/class)
 class class-slurm: export PHOTONLAB_REGRADE = $(REGRADE)
 class class-slurm: export PHOTONLAB_PARALLEL_FLAGS = $(PARALLEL_FLAGS)

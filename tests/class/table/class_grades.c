@@ -1,6 +1,7 @@
 // The file that Moodle or Canvas takes grades from: theirs, with the grades filled in.
 #include "base/text.h"
 #include "class/table/class_table.h"
+#include "judge/report/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -50,7 +51,7 @@ static bool find_canvas(const Csv *csv, Grades *in, const char *column, Error *e
 bool grades_find(const Roster *roster, RosterKind kind, const char *column, Grades *in, Error *error)
 {
     const Csv *csv = &roster->csv;
-    *in = (Grades){kind, csv->columns, csv->columns, csv->columns, csv->columns, 0};
+    *in = (Grades){kind, csv->columns, csv->columns, csv->columns, csv->columns, csv->columns, 0};
     if (kind != roster->kind)
         return error_set(error, "%s",
                          kind == ROSTER_MOODLE
@@ -64,7 +65,18 @@ bool grades_find(const Roster *roster, RosterKind kind, const char *column, Grad
         return error_set(error, "the roster has no column `%s` for the grades", column);
     csv_find(csv, "Maximum Grade", &in->maximum);
     csv_find(csv, "Grade can be changed", &in->changeable);
+    csv_find(csv, "Feedback comments", &in->feedback);
     return column || csv_find(csv, "Grade", &in->grade);
+}
+
+static bool is_kept(const Table *table, const TableRow *row)
+{
+    const Csv *csv = &table->roster.csv;
+    const Grades *in = &table->grades;
+    const char *old = csv_cell(csv, row->roster_row, in->grade);
+    bool excused = in->kind == ROSTER_CANVAS && (strcasecmp(old, "EX") == 0 || strcmp(old, "N/A") == 0);
+    return strcmp(row->student->status, "not graded") == 0 || excused ||
+           (in->changeable < csv->columns && strcasecmp(csv_cell(csv, row->roster_row, in->changeable), "No") == 0);
 }
 
 // Points as a share of what the course system takes for the most; what could not be graded stays as it was.
@@ -73,11 +85,8 @@ static const char *grade_of(const Table *table, const TableRow *row, char *text,
     const Csv *csv = &table->roster.csv;
     const Grades *in = &table->grades;
     const Student *s = row->student;
-    const char *old = csv_cell(csv, row->roster_row, in->grade);
-    bool excused = in->kind == ROSTER_CANVAS && (strcasecmp(old, "EX") == 0 || strcmp(old, "N/A") == 0);
-    if (strcmp(s->status, "not graded") == 0 || excused ||
-        (in->changeable < csv->columns && strcasecmp(csv_cell(csv, row->roster_row, in->changeable), "No") == 0))
-        return old;
+    if (is_kept(table, row))
+        return csv_cell(csv, row->roster_row, in->grade);
     double most = in->kind == ROSTER_CANVAS && in->possible > 0 ? atof(csv_cell(csv, in->possible, in->grade))
                   : in->maximum < csv->columns                  ? atof(csv_cell(csv, row->roster_row, in->maximum))
                                                                 : 0.0;
@@ -86,7 +95,71 @@ static const char *grade_of(const Table *table, const TableRow *row, char *text,
     return text;
 }
 
-static void write_line(FILE *stream, const Table *table, size_t row, const char *grade)
+// Points by stage, without those of which nothing may be known yet.
+static void list_stages(const Table *table, const Student *s, char *text, size_t size)
+{
+    char got[40], most[40];
+    const char *before = "";
+    for (int stage = 1; stage <= STAGE_COUNT; stage++) {
+        double all = 0.0;
+        bool hidden = false;
+        for (size_t i = 0; i < STEP_COUNT; i++)
+            if (step_table[i].stage == stage) {
+                all += table->points.points[i];
+                hidden = hidden || s->steps[i].hidden;
+            }
+        if (all <= 0.0 || hidden)
+            continue;
+        text_append(text, size, "%sstage %d: %s of %s", before, stage,
+                    text_points(s->stage_points[stage - 1], got, sizeof got), text_points(all, most, sizeof most));
+        before = ", ";
+    }
+}
+
+// The step that lost most of what is told of.
+static const StepInfo *worst_step(const Student *s)
+{
+    size_t worst = STEP_COUNT;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (*s->steps[i].said && !s->steps[i].hidden &&
+            (worst == STEP_COUNT ||
+             s->steps[i].points_max - s->steps[i].points > s->steps[worst].points_max - s->steps[worst].points))
+            worst = i;
+    return worst < STEP_COUNT ? &step_table[worst] : NULL;
+}
+
+#define OURS "photonlab: " // what begins so may be written anew; what a teacher has written stays
+
+// A line for the student, which Moodle takes for HTML.
+static const char *feedback_of(const Table *table, const TableRow *row, char *text, size_t size)
+{
+    const Student *s = row->student;
+    const char *old = csv_cell(&table->roster.csv, row->roster_row, table->grades.feedback);
+    char plain[1200] = OURS;
+    if ((*old && strncmp(old, OURS, strlen(OURS)) != 0) || is_kept(table, row) ||
+        strcmp(s->status, "no submission") == 0)
+        return old;
+    const StepInfo *step = worst_step(s);
+    list_stages(table, s, plain, sizeof plain);
+    if (s->penalty > 0.0)
+        text_append(plain, sizeof plain, "; %.0f day%s late: −%.2f", s->late, s->late > 1.0 ? "s" : "", s->penalty);
+    if (step)
+        text_append(plain, sizeof plain, ". Step %s%s: %s", step->id,
+                    *s->steps[step - step_table].mistake ? " looks like" : "", s->steps[step - step_table].said);
+    if (strcmp(s->status, "graded") != 0)
+        text_append(plain, sizeof plain, ". %s: %.400s", s->status, s->message);
+    *text = '\0';
+    for (const char *at = plain; *at; at++)
+        text_append(text, size, "%s",
+                    *at == '&'    ? "&amp;"
+                    : *at == '<'  ? "&lt;"
+                    : *at == '>'  ? "&gt;"
+                    : *at == '\n' ? " "
+                                  : (char[]){*at, '\0'});
+    return text;
+}
+
+static void write_line(FILE *stream, const Table *table, size_t row, const char *grade, const char *feedback)
 {
     const Csv *csv = &table->roster.csv;
     const Grades *in = &table->grades;
@@ -94,7 +167,7 @@ static void write_line(FILE *stream, const Table *table, size_t row, const char 
     for (size_t c = 0; c < csv->columns; c++) {
         if (in->kind == ROSTER_CANVAS && c > in->section && c != in->grade)
             continue; // Canvas would take what stands there for a change
-        csv_write(stream, c == in->grade ? grade : csv_cell(csv, row, c), first);
+        csv_write(stream, c == in->grade ? grade : c == in->feedback ? feedback : csv_cell(csv, row, c), first);
         first = false;
     }
     fputc('\n', stream);
@@ -104,14 +177,15 @@ void grades_write(FILE *stream, const Table *table)
 {
     const Csv *csv = &table->roster.csv;
     const Grades *in = &table->grades;
-    char grade[40];
+    char grade[40], feedback[4000];
     fputs(csv->marked ? MARK : "", stream);
-    write_line(stream, table, 0, csv_cell(csv, 0, in->grade));
+    write_line(stream, table, 0, csv_cell(csv, 0, in->grade), "Feedback comments");
     if (in->possible > 0)
-        write_line(stream, table, in->possible, csv_cell(csv, in->possible, in->grade));
+        write_line(stream, table, in->possible, csv_cell(csv, in->possible, in->grade), "");
     for (size_t i = 0; i < table->count; i++) {
         const TableRow *row = &table->rows[i];
         if (row->roster_row > 0)
-            write_line(stream, table, row->roster_row, grade_of(table, row, grade, sizeof grade));
+            write_line(stream, table, row->roster_row, grade_of(table, row, grade, sizeof grade),
+                       in->feedback < csv->columns ? feedback_of(table, row, feedback, sizeof feedback) : "");
     }
 }

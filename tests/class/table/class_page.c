@@ -21,7 +21,7 @@ const char page_style[] =
     "td.n{text-align:right;font-variant-numeric:tabular-nums}td.m{font-family:monospace;white-space:pre}"
     ".bar{background:#8cb4e8;height:.8em}h2{margin-top:2em}#all th{cursor:pointer}.kinds{display:flex;flex-wrap:wrap;gap:1.5em}"
     "figure{margin:0;width:16em}figure .bar{height:.4em}figure img{width:100%;margin-top:.5em}"
-    "img{max-width:100%}"
+    "img{max-width:100%}details{max-width:34em}summary{cursor:pointer}"
     "@media(prefers-color-scheme:dark){body{color:#ddd;background:#181818}a{color:#8cb4e8}th,td{border-color:#444}}</style>\n";
 
 // A click on a heading sorts by it, numbers as numbers, and another click turns the order round; the field leaves only
@@ -33,6 +33,8 @@ static const char script[] =
     "t.tHead.addEventListener('click',e=>{const th=e.target.closest('th');if(!th)return;const c=th.cellIndex,up=by===c;by=up?-1:c;"
     "const k=new Map(rows.map(r=>[r,r.cells[c].dataset.n||r.cells[c].textContent])),o=new Intl.Collator();"
     "rows.sort((x,y)=>{const a=k.get(x),b=k.get(y),d=a-b;return(isNaN(d)?o.compare(a,b):d)*(up?-1:1)});show()});"
+    "for(const h of t.tHead.rows[0].cells){h.tabIndex=0;h.addEventListener('keydown',e=>{if(e.key==='Enter')h.click()})}"
+    "addEventListener('beforeprint',()=>document.querySelectorAll('details').forEach(d=>d.open=true));"
     "document.getElementById('find').addEventListener('input',e=>{word=e.target.value.toLowerCase();show()})</script>\n";
 
 static const char *mark_of(const char *status)
@@ -107,20 +109,22 @@ static void write_mistakes(FILE *stream, const Table *table)
     free(who);
 }
 
-// The message; under the pointer what went wrong in each step, which would be too long to stand there.
+// The message; folded away what went wrong in each step, which would be too long to stand there.
 static void write_note(FILE *stream, const Student *student)
 {
     size_t said = 0;
-    fputs("<td title=\"", stream);
     for (size_t i = 0; i < STEP_COUNT; i++)
-        if (*student->steps[i].said) {
-            fprintf(stream, "%s%s: ", said++ > 0 ? "&#10;" : "", step_table[i].id);
-            text_markup(stream, student->steps[i].said);
-        }
-    fputs("\">", stream);
+        said += *student->steps[i].said != '\0';
+    fputs("<td>", stream);
     text_markup(stream, student->message);
     if (said > 0)
-        fprintf(stream, "%s%zu ✗ or !", *student->message ? "; " : "", said);
+        fprintf(stream, "<details><summary>%zu ✗ or !</summary>", said);
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (*student->steps[i].said) {
+            fprintf(stream, "%s: ", step_table[i].id);
+            text_markup(stream, student->steps[i].said);
+            fputs(--said > 0 ? "<br>" : "</details>", stream);
+        }
 }
 
 static bool is_shown(const Roster *roster, size_t column)
@@ -158,8 +162,8 @@ static void write_students(FILE *stream, const Table *table)
     const Csv *roster = &table->roster.csv;
     fprintf(
         stream,
-        "<h2>Submissions</h2>\n<p><input id=find placeholder=\"only rows with …\"> A click on a heading sorts; what went wrong stands "
-        "under the pointer, at the right.%s</p>\n"
+        "<h2>Submissions</h2>\n<p><input id=find placeholder=\"only rows with …\"> A heading sorts, by a click or the return key; at the right "
+        "what went wrong unfolds, all of it when this page is printed.%s</p>\n"
         "<noscript><style>#all tbody{display:table-row-group}</style></noscript><table id=all><thead><tr>",
         table->count > SHOWN_ROWS ? " The first 500 that fit are shown." : "");
     for (size_t c = 0; c < roster->columns; c++)

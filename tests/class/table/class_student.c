@@ -45,6 +45,8 @@ static void read_step(const json_t *json, Student *student)
     size_t i = (size_t)(step - step_table);
     student->steps[i].there = true;
     student->steps[i].points = number_of(json, "points");
+    student->steps[i].points_max = number_of(json, "points_max");
+    student->steps[i].hidden = json_is_true(json_object_get(json, "hidden"));
     copy_text(json, "status", student->steps[i].status, sizeof student->steps[i].status);
     copy_text(json, "mistake", student->steps[i].mistake, sizeof student->steps[i].mistake);
     // What broke off says how; of what is wrong the likely mistake is told, by its short name where there is no sentence,

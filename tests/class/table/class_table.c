@@ -19,6 +19,7 @@ static const char help[] =
     "  --column NAME    its column that has the submissions' names; unset: the one that has most of them\n"
     "  --format NAME    moodle or canvas: OUT/NAME.csv, the roster with grades, as the course system takes it\n"
     "  --grade NAME     its column for the grades; unset: the only one there is\n"
+    "  --earlier FILE   class.csv of a class graded before: what was handed in in time then counts where it is late now\n"
     "  --notes PATH     where the course notes lie, seen from OUT\n"
     "  --pictures PATH  the folder with the gallery's pictures\n";
 
@@ -147,7 +148,7 @@ static Student *read_students(const char *directory, const char *names, size_t s
 }
 
 typedef struct {
-    const char *points, *roster, *column, *grade, *notes, *pictures, *files[2];
+    const char *points, *roster, *column, *grade, *earlier, *notes, *pictures, *files[2];
     Choice format;
 } Arguments;
 
@@ -179,7 +180,7 @@ static bool run(const Arguments *a, Table *table, Error *error)
               (!a->roster || roster_match(&table->roster, a->roster, a->column, students, count, error));
     for (size_t i = 0; ok && i < count; i++) {
         leave_out_stages(table, &students[i]);
-        student_set_late(&students[i], &table->points);
+        student_set_late(&students[i], &table->points, &table->earlier);
     }
     if (ok)
         order_rows(table, students, count, absent);
@@ -193,10 +194,10 @@ static bool run(const Arguments *a, Table *table, Error *error)
 int main(int count, char **arguments)
 {
     Arguments a = {.format = {formats, ROSTER_PLAIN}};
-    const Flag flags[] = {{"points", FLAG_TEXT, &a.points, 0, 0},    {"roster", FLAG_TEXT, &a.roster, 0, 0},
-                          {"column", FLAG_TEXT, &a.column, 0, 0},    {"format", FLAG_CHOICE, &a.format, 0, 0},
-                          {"grade", FLAG_TEXT, &a.grade, 0, 0},      {"notes", FLAG_TEXT, &a.notes, 0, 0},
-                          {"pictures", FLAG_TEXT, &a.pictures, 0, 0}};
+    const Flag flags[] = {{"points", FLAG_TEXT, &a.points, 0, 0}, {"roster", FLAG_TEXT, &a.roster, 0, 0},
+                          {"column", FLAG_TEXT, &a.column, 0, 0}, {"format", FLAG_CHOICE, &a.format, 0, 0},
+                          {"grade", FLAG_TEXT, &a.grade, 0, 0},   {"earlier", FLAG_TEXT, &a.earlier, 0, 0},
+                          {"notes", FLAG_TEXT, &a.notes, 0, 0},   {"pictures", FLAG_TEXT, &a.pictures, 0, 0}};
     int wrong = command_line_parse(&(CommandLine){"class_table", help, "OUT and LIST", flags, FLAG_COUNT(flags), 0, 2},
                                    count, arguments, a.files);
     if (wrong)
@@ -204,10 +205,11 @@ int main(int count, char **arguments)
     Table table = {.notes = a.notes, .pictures = a.pictures};
     Error error = {""};
     bool ok = points_read(a.points ? a.points : "tests/judge/points.txt", &table.points, &error) &&
-              (!a.files[1] || run(&a, &table, &error));
+              (!a.earlier || csv_read(a.earlier, &table.earlier, &error)) && (!a.files[1] || run(&a, &table, &error));
     if (ok && !a.files[1])
         print_course(&table.points);
     free(table.rows);
+    csv_free(&table.earlier);
     roster_free(&table.roster);
     if (!ok)
         fprintf(stderr, "class_table: %s\n", error.message);

@@ -45,16 +45,17 @@ typedef struct {
     bool in_roster, has_page;
     struct {
         char status[8], mistake[64], said[400]; // the mistake's name, or ""; what went wrong in words, or ""
-        double points;
-        bool there;
+        double points, points_max;
+        bool there, hidden;
     } steps[STEP_COUNT]; // all empty where a step is not in the course
 } Student;
 
 void student_read(const char *directory, const char *name, Student *student);
 size_t student_count(const Student *student, const char *status);
 void student_mistakes(const Student *student, char *text, size_t size); // "2.1: uniform hemisphere; 3.2: …"
-// Takes off what being late costs.
-void student_set_late(Student *student, const PointsTable *points);
+// Takes off what being late costs. `earlier`: class.csv of a class graded before; a stage that is late now has what it had there,
+// if that is more. No columns: there was none.
+void student_set_late(Student *student, const PointsTable *points, const Csv *earlier);
 
 // Who is in the course, as a teacher wrote it down, or as a course system gives it out.
 typedef enum { ROSTER_PLAIN, ROSTER_MOODLE, ROSTER_CANVAS } RosterKind;
@@ -81,12 +82,13 @@ typedef struct {
 // Where grades go in a course system's file: columns; as many as there are: none.
 typedef struct {
     RosterKind kind;
-    size_t grade, maximum, changeable, section;
+    size_t grade, maximum, changeable, section, feedback;
     size_t possible; // Canvas' row of the highest points; 0: none
 } Grades;
 
 typedef struct {
     Roster roster;
+    Csv earlier; // no columns: there is none
     PointsTable points;
     Grades grades;
     TableRow *rows;

@@ -87,15 +87,16 @@ check_moodle() {
         cp "$solved/$reflect" "$in/${name}_assignsubmission_file/"
         echo hello >"$in/${name}_assignsubmission_onlinetext/onlinetext.html"
     done
+    sed 's/return .*/return axis;/' "$solved/$turn" >"$in/lab_1-Jane Doe_816_assignsubmission_file/${turn#*/}"
     (cd "$in" && zip -qr "$work/moodle" .) && mv "$work/moodle.zip" "$work/moodle"
-    sheet() { # sheet GRADE GRADE GRADE GRADE
+    sheet() { # sheet GRADE GRADE GRADE GRADE [DAY], on which the first one came
         printf '\357\273\277%s,%s\n' 'Identifier,"Full name","Email address",Status,Grade,"Maximum Grade"' \
             '"Grade can be changed","Last modified (submission)","Last modified (grade)","Feedback comments"'
-        printf '"Participant %s","%s",%s,"%s",%s,%s,%s,"%s",-,\n' \
-            816 "Jane Doe" j@x.org "Submitted for grading" "$1" 50.00 Yes "Monday, 30 November 2026, 2:14 PM" \
-            815 "Jane Doe" jd@x.org "Submitted for grading" "$2" 50.00 Yes "Saturday, 28 November 2026, 11:59 PM" \
-            817 "Ann B" a@x.org "Submitted for grading" "$3" 50.00 No "Sunday, 27 December 2026, 12:00 AM" \
-            818 "No One" n@x.org "No submission" "$4" 50.00 Yes -
+        printf '"Participant %s","%s",%s,"%s",%s,%s,%s,"%s",-,%s\n' \
+            816 "Jane Doe" j@x.org "Submitted for grading" "$1" 50.00 Yes "${5:-Monday, 30} November 2026, 2:14 PM" "" \
+            815 "Jane Doe" jd@x.org "Submitted for grading" "$2" 50.00 Yes "Saturday, 28 November 2026, 11:59 PM" "seen at the board" \
+            817 "Ann B" a@x.org "Submitted for grading" "$3" 50.00 No "Sunday, 27 December 2026, 12:00 AM" "" \
+            818 "No One" n@x.org "No submission" "$4" 50.00 Yes - ""
     }
     sheet "" "" 11 "" >"$work/worksheet.csv"
     printf '%s\n' 'stage 1 due 2026-11-28' 'late 10 most 50' | cat "$PHOTONLAB_POINTS" - >"$work/late.txt"
@@ -103,11 +104,21 @@ check_moodle() {
         bad "moodle: $(cat "$work/moodle-out-said")"
     # 4 points of 100; two days late, in the last minute, far too late and not to be changed, nothing.
     sheet 1.60 2.00 11 0.00 | sed '1!s/"\(Identifier\|[^",]*\)"/\1/g' >"$work/expected"
-    sed '1!s/"\([^",]*\)"/\1/g; 1s/"//g' "$work/moodle-out/moodle.csv" >"$work/got"
+    sed -E '1!s/"([^",]*)"/\1/g; 1s/"//g; s/,"photonlab: .*/,/' "$work/moodle-out/moodle.csv" >"$work/got"
     sed -i '1s/"//g' "$work/expected"
     same_file "$work/got" "moodle: its worksheet comes back, late days taken off; what is locked stays" <"$work/expected"
     in_table moodle-out 816 ',2026-11-30 14:14,2,0.8,' "moodle: when, days late, points lost"
     in_table moodle-out 817 '^Participant 817,.*,graded,yes,2,100,.*,28,2,' "moodle: never more than most"
+    says 'Participant 816.*,"photonlab: stage 1: 3.2 of 4, stage 2: 0 of 5, stage 3: 0 of 91; 2 days late: −0.80. Step 2.2' \
+        "$work/moodle-out/moodle.csv" "moodle: a line for the student: stages, late days, what went wrong most"
+    says 'Participant 815.*,seen at the board$' "$work/moodle-out/moodle.csv" "moodle: what a teacher has written to one stays"
+    says 'Participant 818.*,-,$' "$work/moodle-out/moodle.csv" "moodle: and who handed in nothing is told nothing"
+    # Handed in again, too late, with the rest: what the stage had before counts.
+    sheet "" "" 11 "" "Sunday, 29" | sed 's/29 November/6 December/' >"$work/again.csv"
+    mv "$work/moodle" "$work/again"
+    PHOTONLAB_EARLIER=$work/moodle-out grade again PHOTONLAB_ROSTER="$work/again.csv" PHOTONLAB_FORMAT=moodle PHOTONLAB_POINTS="$work/late.txt"
+    in_table again-out 816 '^Participant 816,.*,yes,3.2,100,3.2,0,0,.*,0,0,.*stage 1 has the points that it had before' \
+        "late: a stage that is late now keeps what was handed in before"
 }
 
 check_roster() {
