@@ -26,7 +26,7 @@ $(NOTES)/.pages: notes-list ;
 .SECONDEXPANSION:
 $(NOTES)/%.html: course_notes/%.md $(NOTES)/.pages $(NOTES_TOOLS) $$(if $$(PANDOC),,notes-pandoc) \
                        $$(filter course_notes/figures/$$(firstword $$(subst _, ,$$*))_%,$$(NOTES_FIGURES)) \
-                       $$(if $$(filter index word_index,$$*),$$(NOTES_SOURCES)) $$(NOTES_MODULE) $$(if $$(NOTES_MODULE),$$(wildcard web/*.js web/figures/*))
+                       $$(if $$(filter index word_index,$$*),$$(NOTES_SOURCES)) $$(NOTES_MODULE) $$(if $$(NOTES_MODULE),$$(wildcard web/page/* web/figures/* web/figures/live/*))
 	$(call say,pandoc,$<)
 	$(Q)sh course_notes/make_page.sh $(NOTES) $* $(NOTES_MODULE)
 

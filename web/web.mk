@@ -12,7 +12,7 @@ WASM_LINK  = -mexec-model=reactor -Wl,--strip-all -Wl,--stack-first -Wl,-z,stack
 WASM_WITHOUT = lib/base/crash_% lib/base/process.c lib/base/file_disk.c lib/image/png.c lib/image/exr.c lib/render/passes/pass_file.c lib/steps/steps_load.c lib/preview/draw/context/%
 WASM_SOURCES = $(filter-out $(WASM_WITHOUT),$(LIBRARY_SOURCES) $(call find_c,lib/preview/draw lib/preview/record lib/preview/view) \
                $(addprefix lib/preview/run/worker_,work.c photons.c looks.c render.c) \
-               $(STEP_SOURCES) $(wildcard web/*.c web/figures/*.c))
+               $(STEP_SOURCES) $(wildcard web/module/*.c web/figures/*.c))
 LIBYAML_PARTS = api reader scanner parser
 
 .PHONY: wasm site check-wasm
@@ -28,8 +28,8 @@ $(WASM)/libyaml/%.o: $(WASM)/libyaml/source
 	$(call beside,$(WASM_CC) --target=wasm32-wasi -O2 -idirafter /usr/include -DYAML_VERSION_MAJOR=0 -DYAML_VERSION_MINOR=2 \
 	    -DYAML_VERSION_PATCH=5 -DYAML_VERSION_STRING='"0.2.5"' -c $(@:.o=.c) -o $$new)
 
-$(WASM)/libyaml/source: web/libyaml.sh
-	$(Q)mkdir -p $(@D) && sh web/libyaml.sh $(abspath $(@D)) && touch $@
+$(WASM)/libyaml/source: web/module/libyaml.sh
+	$(Q)mkdir -p $(@D) && sh web/module/libyaml.sh $(abspath $(@D)) && touch $@
 
 $(WASM)/%.o: %.c | wasm-tools
 	$(call say,wasm,$<)
@@ -46,9 +46,9 @@ wasm-tools:
 # A scene whose mesh would fill the page stays out.
 SITE_SCENES = $(filter-out scenes/bumpy_glass.yaml,$(wildcard scenes/*.yaml))
 
-$(BUILD)/site/lab.html: web/make_page.sh $(wildcard web/*.html web/*.css web/*.js) $(WASM)/photonlab.wasm $(SITE_SCENES) $(MESHES)
+$(BUILD)/site/lab.html: web/page/make_page.sh $(wildcard web/lab/* web/page/*.js) $(WASM)/photonlab.wasm $(SITE_SCENES) $(MESHES)
 	$(call say,page,$@)
-	$(call beside,sh web/make_page.sh web/lab.html $(WASM)/photonlab.wasm $(SITE_SCENES) >$$new)
+	$(call beside,sh web/page/make_page.sh web/lab/lab.html $(WASM)/photonlab.wasm $(SITE_SCENES) >$$new)
 
 ##teacher site  notes and lab as pages for your students, for a web host or a disk: build/site/
 site: $(BUILD)/site/lab.html

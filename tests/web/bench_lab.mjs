@@ -23,12 +23,36 @@ const inPage = (page, scene) => page.evaluate(async (scene, photons) => {
     lab.trace()
 }, scene, PHOTONS)
 
-// Milliseconds from the page's beginning until there are photons in its picture.
-const firstPhotons = page => page.evaluate(async () => {
-    while (!state.shown || state.pending) await new Promise(requestAnimationFrame)
-    document.getElementById('picture').getContext('webgl2').finish()
-    return performance.now()
-})
+// Seconds from the page's beginning until there are photons in its picture.
+async function opening(page) {
+    await page.goto('about:blank')
+    await page.goto(`file://${path.resolve(site)}/lab.html`, {waitUntil: 'domcontentloaded'})
+    const milliseconds = await page.evaluate(() => new Promise(resolve => {
+        const before = draw
+        draw = now => {
+            before(now)
+            if (!state.shown) return
+            draw = before
+            document.getElementById('picture').getContext('webgl2').finish()
+            resolve(performance.now())
+        }
+    }))
+    await page.waitForFunction(() => state.seconds > 0, {timeout: 120000})
+    return milliseconds / 1000
+}
+
+// The same in browsers that have never opened it, nor anything else: at once, and after some seconds, as long as people take.
+async function coldOpenings(name, rest) {
+    const seconds = []
+    for (let round = 0; round < ROUNDS; round++) {
+        const browser = await launch(name, tools), page = await browser.newPage()
+        await page.setViewport({width: 1600, height: 1000})
+        await new Promise(resolve => setTimeout(resolve, 1000 * rest))
+        seconds.push(await opening(page))
+        await browser.close()
+    }
+    return `${median(seconds).toFixed(2)} s (${Math.min(...seconds).toFixed(2)} to ${Math.max(...seconds).toFixed(2)})`
+}
 
 // Turns the scene for so many seconds, with so many points or as many as the lab chooses; then lets it rest.
 const orbit = (page, points, seconds) => page.evaluate(async (points, seconds) => {
@@ -70,13 +94,9 @@ for (const name of installed()) {
     }
     await page.setViewport({width: 1600, height: 1000})
     const opened = []
-    for (let round = 0; round < ROUNDS; round++) {
-        await page.goto('about:blank')
-        await page.goto(`file://${path.resolve(site)}/lab.html`, {waitUntil: 'domcontentloaded'})
-        opened.push(await firstPhotons(page) / 1000)
-        await page.waitForFunction(() => state.seconds > 0, {timeout: 120000})
-    }
-    console.log(`${name}: first photons drawn ${opened[0].toFixed(2)} s after the first opening, median of ${ROUNDS} ${median(opened).toFixed(2)} s`)
+    for (let round = 0; round < ROUNDS; round++) opened.push(await opening(page))
+    console.log(`${name}: first photons drawn ${median(opened).toFixed(2)} s after opening (median of ${ROUNDS}); in a new browser, never used, ` +
+        `${await coldOpenings(name, 2)}; in one that is itself just starting ${await coldOpenings(name, 0)}`)
     await page.addStyleTag({content: '#stage { position: fixed; inset: 0 auto auto 0; width: 1280px; height: 720px; max-height: none }'})
     for (const points of [0, 50000]) {
         const {width, height, rate, points: drawn, rest} = await orbit(page, points, 4)

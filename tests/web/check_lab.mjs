@@ -120,7 +120,7 @@ async function views(page, name) {
     await page.select('#view', 'points')
 }
 
-// Software WebGL has its points from web/points.c: they are where WebGL's own are, and as bright.
+// Software WebGL has its points from web/module/points.c: they are where WebGL's own are, and as bright.
 async function points(page, name) {
     await choose(page, 'box_glass.yaml')
     const [ours, gl] = await page.evaluate(async () => {

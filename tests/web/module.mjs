@@ -1,7 +1,7 @@
 // The module outside a browser: opens build/web/photonlab.wasm as a page does. Node.js 18 or later.
 import fs from 'node:fs'
 
-const parts = ['gl.js', 'photonlab.js'].map(name => fs.readFileSync(`web/${name}`, 'utf8'))
+const parts = ['gl.js', 'wasi.js', 'photonlab.js'].map(name => fs.readFileSync(`web/page/${name}`, 'utf8'))
 export const Photonlab = new Function(`${parts.join('\n')}\nreturn Photonlab`)()
 
 // An instance with the meshes of scenes/; it draws nothing.

@@ -11,8 +11,8 @@ fi
 names=$(grep -o 'data-live="[a-z]*"' "$page" | sed 's/.*"\(.*\)"/\1/' | LC_ALL=C sort -u)
 figures=""
 for name in $names; do
-    [ -f "web/figures/$name.js" ] || { echo "$page: there is no live figure '$name'; they are web/figures/*.js" >&2; exit 1; }
-    figures="$figures web/figures/$name.js"
+    [ -f "web/figures/live/$name.js" ] || { echo "$page: there is no live figure '$name'; they are web/figures/live/*.js" >&2; exit 1; }
+    figures="$figures web/figures/live/$name.js"
 done
 scenes=$(sed -n "s/^    scene: '\(.*\)',/scenes\/\1/p" $figures | LC_ALL=C sort -u)
 template=$(mktemp)
@@ -22,5 +22,5 @@ trap 'rm -f "$template"' EXIT
     for figure in $figures; do echo "@FILE $figure@"; done
     sed '1,/^@FIGURES@$/d' web/figures/figures.html
 } >"$template"
-sh web/make_page.sh "$template" "$module" $scenes
+sh web/page/make_page.sh "$template" "$module" $scenes
 sed -n '/^<\/body>$/,$p' "$page"

@@ -3,7 +3,7 @@
 #ifndef PHOTONLAB_WEB_FIGURES_NUMBERS_H
 #define PHOTONLAB_WEB_FIGURES_NUMBERS_H
 
-#include "web/web.h"
+#include "web/module/web.h"
 
 void numbers_begin(void);
 void numbers_add(double number); // past the 65536th: forgotten

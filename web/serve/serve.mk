@@ -30,14 +30,14 @@ $(TAB)/photonlab.wasm: $(TAB_LIBRARY) $(TAB_REFERENCE)
 	$(call beside,$(WASM_CC) --target=wasm32-wasi $(WASM_LINK) $^ -o $$new)
 
 # The lab's page, with its scripts in a file of their own and the panel for one's steps.
-TAB_SCRIPTS = web/serve/tab.js $(filter-out web/lab.js,$(shell sed -n 's/^@FILE \(.*\.js\)@/\1/p' web/lab.html)) web/lab.js
+TAB_SCRIPTS = web/serve/tab.js $(filter-out web/lab/lab.js,$(shell sed -n 's/^@FILE \(.*\.js\)@/\1/p' web/lab/lab.html)) web/lab/lab.js
 $(TAB)/tab.js: $(TAB_SCRIPTS)
 	$(call beside,cat $^ >$$new)
 
-$(TAB)/tab.html: web/make_page.sh web/lab.html web/lab.css web/serve/tab.css $(TAB_SCENES) $(MESHES)
-	$(Q)mkdir -p $(@D); sed -e '/^@MODULE@/d; s|^@FILE web/lab.css@|&\n@FILE web/serve/tab.css@|' \
-	    -e '/^<script>/,/^<\/script>/c<script src="tab.js"></script>' web/lab.html >$(TAB)/template.html
-	$(call beside,sh web/make_page.sh $(TAB)/template.html - $(TAB_SCENES) >$$new)
+$(TAB)/tab.html: web/page/make_page.sh web/lab/lab.html web/lab/lab.css web/serve/tab.css $(TAB_SCENES) $(MESHES)
+	$(Q)mkdir -p $(@D); sed -e '/^@MODULE@/d; s|^@FILE web/lab/lab.css@|&\n@FILE web/serve/tab.css@|' \
+	    -e '/^<script>/,/^<\/script>/c<script src="tab.js"></script>' web/lab/lab.html >$(TAB)/template.html
+	$(call beside,sh web/page/make_page.sh $(TAB)/template.html - $(TAB_SCENES) >$$new)
 
 $(SERVE): $(call object,$(wildcard web/serve/*.c) $(filter lib/preview/watch/% lib/preview/record/%,$(call find_c,lib/preview))) $(LIBRARY)
 	$(call link,-lmicrohttpd -ljansson)

@@ -1,6 +1,6 @@
 // What is drawn, and what decides how.
 #include "preview/view/view_internal.h"
-#include "web/web.h"
+#include "web/module/web.h"
 
 #include "base/text.h"
 

@@ -1,5 +1,5 @@
 // What the program finds at run time, and the module has from the start: steps, and the functions of OpenGL.
-#include "web/web.h"
+#include "web/module/web.h"
 
 #include "preview/draw/gl.h"
 

@@ -1,6 +1,6 @@
 // Numbers of a scene file that sliders may change, and where they stand in its text.
 #include "scene/file/scene_section.h"
-#include "web/web.h"
+#include "web/module/web.h"
 
 #include "base/text.h"
 

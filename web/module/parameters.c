@@ -1,6 +1,6 @@
 // Everything that JavaScript may set and ask for, by name: one table, of which the page makes its controls, and a link that
 // holds them all.
-#include "web/web.h"
+#include "web/module/web.h"
 
 #include "base/text.h"
 #include "scene/limits.h"

@@ -1,6 +1,6 @@
 // What is linked around a student's objects only: it ends a run that hangs or wants too much memory, in the midst of it, so that
 // the stack tells where that was. Compiled with -fsanitize-coverage=trace-pc, their code calls this wherever it goes.
-#include "web/web.h"
+#include "web/module/web.h"
 
 #include "base/parallel.h"
 

@@ -1,7 +1,7 @@
 // Points, where WebGL runs in software: it takes a microsecond for each, and this loop a hundredth of that. What they add up to
 // comes into the picture as one rectangle with a texture.
 #include "preview/draw/canvas_internal.h"
-#include "web/web.h"
+#include "web/module/web.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 // Runs steps: what a worker process does for the window (preview/run/worker.h), with messages to JavaScript.
 #include "preview/run/worker.h"
-#include "web/web.h"
+#include "web/module/web.h"
 
 #include "base/parallel.h"
 

@@ -1,5 +1,5 @@
 // An instance's scene, and what was found about it.
-#include "web/web.h"
+#include "web/module/web.h"
 
 #include "base/array.h"
 #include "photons/pass/oddities.h"

@@ -1,6 +1,6 @@
 // base/file.h where there is no disk: files that JavaScript put here, and takes away.
 #include "base/file.h"
-#include "web/web.h"
+#include "web/module/web.h"
 
 #include <stdlib.h>
 
