@@ -61,31 +61,30 @@ Mistake *mistakes_find(const Table *table, size_t *count, size_t **who)
     return mistakes;
 }
 
-// "1_2_pi_missing", as the gallery's pictures are called; its tiles have "-" for "_".
-static void tile_name(const Mistake *mistake, char separator, char *name, size_t size)
+// As the gallery's pictures are called: "1_2_pi_missing".
+static void tile_name(const Mistake *mistake, char *name, size_t size)
 {
-    snprintf(name, size, "%s.%s", step_table[mistake->step].id, mistake->name);
+    snprintf(name, size, "%s_%s", step_table[mistake->step].id, mistake->name);
     for (char *at = name; *at; at++)
-        if (*at == '.' || *at == '_' || *at == ' ')
-            *at = separator;
+        *at = *at == '.' ? '_' : *at;
 }
 
 bool mistake_has_tile(const Table *table, const Mistake *mistake, char *path, size_t size)
 {
     char name[120];
-    tile_name(mistake, '_', name, sizeof name);
+    tile_name(mistake, name, sizeof name);
     return *mistake->name && table->pictures &&
            snprintf(path, size, "%s/gallery_%s.png", table->pictures, name) < (int)size && access(path, R_OK) == 0;
 }
 
 void mistake_write(FILE *stream, const Table *table, const Mistake *mistake)
 {
-    char path[4200], name[120];
+    char path[4200], anchor[120];
     text_markup(stream, mistake->said);
     if (!table->notes || !mistake_has_tile(table, mistake, path, sizeof path))
         return;
-    tile_name(mistake, '-', name, sizeof name);
+    text_of_tile(step_table[mistake->step].id, mistake->name, anchor, sizeof anchor);
     fputs(" <a href=\"", stream);
     page_link(stream, table->notes);
-    fprintf(stream, "/gallery.html#m-%s\">picture</a>", name);
+    fprintf(stream, "/gallery.html#%s\">picture</a>", anchor);
 }
