@@ -2,7 +2,8 @@
 passed=0
 failed=0
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# A job that is ended before it has become its program runs this, too, in a process of its own.
+trap '[ "$BASHPID" = $$ ] && rm -rf "$work"' EXIT
 
 good() {
     passed=$((passed + 1))
