@@ -19,6 +19,11 @@ static inline Vec3d vec3d_of(const float *v)
     return vec3d((double)v[0], (double)v[1], (double)v[2]);
 }
 
+static inline Vec3d vec3d_widened(Vec3 v)
+{
+    return vec3d((double)v.x, (double)v.y, (double)v.z);
+}
+
 static inline double vec3d_dot(Vec3d a, Vec3d b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;

@@ -112,7 +112,7 @@ static void plan_values(Plan *plan)
         for (int p = 0; p < s->photons; p++) {
             Vec3d wi;
             StoredPhoton photon = photon_of(i, plan->seed, p, &wi);
-            at = put(at, vec3d((double)photon.position.x, (double)photon.position.y, (double)photon.position.z));
+            at = put(at, vec3d_widened(photon.position));
             at = put(put(at, vec3d((double)photon.power.r, (double)photon.power.g, (double)photon.power.b)), wi);
         }
         plan_call(plan, CALLS, arguments, (size_t)(at - arguments));
@@ -157,7 +157,7 @@ static Vec3d brute_force(int number, uint64_t seed)
     for (int p = 0; p < s->photons; p++) {
         Vec3d wi;
         StoredPhoton photon = photon_of(number, seed, p, &wi);
-        Vec3d place = vec3d((double)photon.position.x, (double)photon.position.y, (double)photon.position.z);
+        Vec3d place = vec3d_widened(photon.position);
         double distance = vec3d_length(vec3d_along(place, point, -1.0));
         if (s->radius == 0.0 || distance < s->radius)
             near[found++] = (Near){distance, photon};

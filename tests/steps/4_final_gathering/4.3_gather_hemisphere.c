@@ -139,17 +139,14 @@ typedef struct {
 static View view_of(const Point *point, int ring, int sector)
 {
     Frame frame = frame_about(vec3((float)point->normal.x, (float)point->normal.y, (float)point->normal.z));
-    const float axes[9] = {frame.tangent.x,   frame.tangent.y, frame.tangent.z, frame.bitangent.x, frame.bitangent.y,
-                           frame.bitangent.z, frame.normal.x,  frame.normal.y,  frame.normal.z};
+    const Vec3d axis = vec3d_widened(frame.normal), tangent = vec3d_widened(frame.tangent);
+    const Vec3d bitangent = vec3d_widened(frame.bitangent);
     View view = {-1, 0.0, 0.0, false};
     for (int i = 0; i < FINE * FINE; i++) {
         double sin2 = (ring + (double)(i / FINE) / (FINE - 1)) / M;
         double phi = 2.0 * pi * (sector + (double)(i % FINE) / (FINE - 1)) / N;
-        Vec3d d = vec3d_along(vec3d(0, 0, 0), vec3d_of(axes), sqrt(sin2) * cos(phi));
-        d = vec3d_along(d, vec3d_of(axes + 3), sqrt(sin2) * sin(phi));
-        d = vec3d_along(d, vec3d_of(axes + 6), sqrt(fmax(0.0, 1.0 - sin2)));
         double distance;
-        Wall wall = look(point, d, &distance);
+        Wall wall = look(point, vec3d_about(axis, tangent, bitangent, sqrt(1.0 - sin2), phi), &distance);
         view.wall = view.wall < 0 || view.wall == (int)wall ? (int)wall : SEVERAL;
         view.some_open = view.some_open || wall == OPEN;
         if (wall == OPEN)

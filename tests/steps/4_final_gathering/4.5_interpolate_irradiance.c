@@ -23,15 +23,10 @@ static float drawn(uint64_t seed, int use, float low, float high)
     return (float)drawn_input(seed, use, (double)low, (double)high);
 }
 
-static Vec3d widened(Vec3 v)
-{
-    return vec3d((double)v.x, (double)v.y, (double)v.z);
-}
-
 static double error_of(const Place *place, const IrradianceEstimate *e)
 {
-    double turn = 1.0 - vec3d_dot(widened(place->normal), widened(e->normal));
-    double distance = vec3d_length(vec3d_along(widened(place->position), widened(e->position), -1.0));
+    double turn = 1.0 - vec3d_dot(vec3d_widened(place->normal), vec3d_widened(e->normal));
+    double distance = vec3d_length(vec3d_along(vec3d_widened(place->position), vec3d_widened(e->position), -1.0));
     return distance / (double)e->reach + sqrt(fmax(0.0, turn));
 }
 
