@@ -68,6 +68,8 @@ END
         "$work/canvas-out/.parts/.names"
     says 'href="../my%20notes/gallery.html#m-1-1-straight-back">picture</a><td><a href="roezo' "$work/canvas-out/index.html" \
         "canvas: a mistake leads to its picture, and to whose it is"
+    says '<details><summary>1 ✗ or !</summary>1.1: the photon is sent straight back' "$work/canvas-out/index.html" \
+        "canvas: what went wrong stands in the row, folded"
     says '<b>1</b> the photon is sent straight back.*<img' "$work/canvas-out/lecture.html" "canvas: a picture for the lecture"
     mkdir "$work/nameless" "$work/nameless/ann" && printf 'ann\0' >"$work/nameless/names"
     echo '{"status": "graded"}' >"$work/nameless/ann/graded.json"
