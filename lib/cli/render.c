@@ -165,6 +165,54 @@ static bool render_once(Arguments *a, const Scene *scene, Tev *tev, bool *sound,
     return ok;
 }
 
+// After the picture: what there is to tell. The exit code.
+static int tell(const Arguments *a, const RenderStats *stats)
+{
+    if (!a->quiet) {
+        report_oddities(&stats->ledger, stats->photons_emitted, &stats->unsound);
+        if (stats->estimates)
+            fprintf(stderr, "%zu estimates of irradiance in %.1f s\n", stats->estimates, stats->gather_seconds);
+        fprintf(stderr, "%s: %d×%d, %ld photons emitted, %zu stored; %.1f s photons, %.1f s map, %.1f s eye\n", a->out,
+                a->options.settings.width, a->options.settings.height, stats->photons_emitted, stats->photons_stored,
+                stats->photon_seconds, stats->build_seconds, stats->eye_seconds);
+    }
+    if (a->json)
+        print_json(stats);
+    return 0;
+}
+
+static int render(Arguments *a, const Scene *scene)
+{
+    Error error = {""}, gone = {""};
+    bool by_passes = pass_flags_given(&a->passes), sound = true;
+    a->options.settings = settings_of(scene, &a->settings, by_passes);
+    a->options.integrator = a->integrator.chosen < 0 ? scene->settings.integrator : (Integrator)a->integrator.chosen;
+    bool traces_paths = a->options.integrator == INTEGRATOR_PATH;
+    if ((a->code || !traces_paths || by_passes) && !steps_load(a->code, &error))
+        return report_error(&error);
+    choose_steps(a->code, a->steps, a->spectral, scene, &a->options.play);
+    if (a->options.play.loop == LOOP_WAVELENGTH && traces_paths)
+        return report_usage("photonlab render", "the path tracer knows red, green and blue only; say --steps 3.4");
+    if (a->code && !a->quiet)
+        report_steps(a->options.play, traces_paths);
+    parallel_limit(a->options.threads);
+
+    RenderStats stats;
+    Tev *tev = NULL;
+    if (a->tev && !(tev = tev_open(a->tev, a->out, a->options.settings.width, a->options.settings.height, &error)))
+        return report_error(&error);
+    PassJob job = {a->scene, a->out, a->bits, a->quiet, &sound, tev};
+    bool ok = by_passes ? render_by_passes(&job, &a->passes, scene, &a->options, &stats, &error)
+                        : render_once(a, scene, tev, &sound, &stats, &error);
+    if (tev && !tev_close(tev, &gone))
+        report_error(&gone);
+    if (!ok)
+        report_error(&error);
+    if (!sound && a->code)
+        report_suspects(a->options.play);
+    return ok ? tell(a, &stats) : EXIT_INPUT;
+}
+
 int command_render(int count, char **arguments)
 {
     Arguments a;
@@ -176,51 +224,7 @@ int command_render(int count, char **arguments)
     Scene *scene = file_may_write(a.out, &error) ? scene_load(a.scene, &error) : NULL;
     if (!scene)
         return report_error(&error);
-    a.options.settings = settings_of(scene, &a.settings, pass_flags_given(&a.passes));
-    a.options.integrator = a.integrator.chosen < 0 ? scene->settings.integrator : (Integrator)a.integrator.chosen;
-    if ((a.code || a.options.integrator != INTEGRATOR_PATH || pass_flags_given(&a.passes)) &&
-        !steps_load(a.code, &error)) {
-        scene_free(scene);
-        return report_error(&error);
-    }
-    choose_steps(a.code, a.steps, a.spectral, scene, &a.options.play);
-    if (a.options.play.loop == LOOP_WAVELENGTH && a.options.integrator == INTEGRATOR_PATH) {
-        scene_free(scene);
-        return report_usage("photonlab render", "the path tracer knows red, green and blue only; say --steps 3.4");
-    }
-    if (a.code && !a.quiet)
-        report_steps(a.options.play, a.options.integrator == INTEGRATOR_PATH);
-    parallel_limit(a.options.threads);
-
-    RenderStats stats;
-    bool sound = true;
-    Tev *tev = NULL;
-    if (a.tev && !(tev = tev_open(a.tev, a.out, a.options.settings.width, a.options.settings.height, &error))) {
-        scene_free(scene);
-        return report_error(&error);
-    }
-    PassJob job = {a.scene, a.out, a.bits, a.quiet, &sound, tev};
-    bool ok = pass_flags_given(&a.passes) ? render_by_passes(&job, &a.passes, scene, &a.options, &stats, &error)
-                                          : render_once(&a, scene, tev, &sound, &stats, &error);
+    int code = render(&a, scene);
     scene_free(scene);
-    Error gone = {""};
-    if (tev && !tev_close(tev, &gone))
-        report_error(&gone);
-    if (!ok)
-        report_error(&error);
-    if (!sound && a.code)
-        report_suspects(a.options.play);
-    if (!ok)
-        return EXIT_INPUT;
-    if (!a.quiet) {
-        report_oddities(&stats.ledger, stats.photons_emitted, &stats.unsound);
-        if (stats.estimates)
-            fprintf(stderr, "%zu estimates of irradiance in %.1f s\n", stats.estimates, stats.gather_seconds);
-        fprintf(stderr, "%s: %d×%d, %ld photons emitted, %zu stored; %.1f s photons, %.1f s map, %.1f s eye\n", a.out,
-                a.options.settings.width, a.options.settings.height, stats.photons_emitted, stats.photons_stored,
-                stats.photon_seconds, stats.build_seconds, stats.eye_seconds);
-    }
-    if (a.json)
-        print_json(&stats);
-    return 0;
+    return code;
 }
