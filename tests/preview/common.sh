@@ -32,6 +32,7 @@ window_start() {
     log=$work/window.log
     local scene=$1
     shift
+    : >"$log" # what another window said in it is not this one's
     "$program" preview "$scene" --code "$objects" --watch "$student" --build "$preview_build" \
         --snapshot "$work/snapshot.png" "$@" >"$log" 2>&1 &
     window=$!
@@ -47,12 +48,31 @@ window_end() {
     done
 }
 
-# wait_for SECONDS COMMAND…: until the command succeeds.
+# at_work PROCESS: has anything it started, or that started, a processor, or does it wait for one?
+at_work() {
+    local task child stat children
+    for task in "/proc/$1/task/"*; do
+        children=()
+        { read -ra children <"$task/children"; } 2>/dev/null # ends without a line's end
+        for child in "${children[@]}"; do
+            for stat in "/proc/$child/task/"*/stat; do
+                { read -r stat <"$stat"; } 2>/dev/null || continue
+                case ${stat##*) } in R* | D*) return 0 ;; esac
+            done
+            at_work "$child" && return 0
+        done
+    done
+    return 1
+}
+
+# wait_for SECONDS COMMAND…: until the command succeeds. Seconds count in which nothing here is at work: while a busy machine lets the window
+# wait for its turn, or it draws, it is not late. Ten times as many, and it is.
 wait_for() {
-    local until=$((SECONDS + $1 + 1))
+    local polls=$((20 * ($1 + 1))) until=$((SECONDS + 10 * $1 + 1))
     shift
     until "$@"; do
-        [ $SECONDS -lt $until ] || return 1
+        at_work $$ || polls=$((polls - 1))
+        [ $polls -gt 0 ] && [ $SECONDS -lt $until ] || return 1
         sleep 0.05
     done
 }
@@ -84,16 +104,12 @@ save() {
     mv "$work/saved" "$student/$1"
 }
 
-# picture_now NAME: the window's own snapshot, by its key. It says so when the file is whole. A key pressed before the server has
-# brought the pointer into the window goes nowhere, so it is pressed again; that a key works is told by keys.sh.
+# picture_now NAME: the window's own snapshot, by its key. It says so when the file is whole.
 picture_now() {
-    local told attempt
+    local told
     told=$(lines_of 'snapshot\.png$')
-    for attempt in 1 2 3; do
-        key s
-        wait_for 8 said_again 'snapshot\.png$' "$told" && cp "$work/snapshot.png" "$work/$1.png" && return
-    done
-    return 1
+    key s
+    wait_for 10 said_again 'snapshot\.png$' "$told" && cp "$work/snapshot.png" "$work/$1.png"
 }
 
 key() {
