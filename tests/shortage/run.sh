@@ -8,6 +8,7 @@ program=$1
 shift
 asked=${*:-diff photons photons-csv render path gather passes pixels spectral mesh merge snapshot}
 every=${EVERY:-1}
+export GALLIUM_DRIVER=softpipe # the one that compiles nothing
 
 if nm -D "$program" | grep -q __asan || ! ${CC:-cc} -shared -fPIC "$here/shortage.c" -o "$work/short.so" -ldl 2>"$work/why"; then
     echo "○ memory cannot be made short here"
@@ -32,7 +33,7 @@ arguments() {
     spectral) echo "render scenes/box_dispersion.yaml $tiny --spectral -o $2.png" ;;
     mesh) echo "render scenes/ring.yaml $tiny -o $2.png" ;;
     merge) echo "merge $work/1.part $work/2.part -o $2.png" ;;
-    snapshot) echo "preview $box --photons 300 --size 320x240 --snapshot $2.png" ;;
+    snapshot) echo "preview $box --photons 300 --size 96x64 --snapshot $2.png" ;;
     esac
 }
 
