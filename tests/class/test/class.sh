@@ -73,20 +73,40 @@ make_odd() {
         >"$odd/helped/exercises/$reflect"
     put_step "$odd/linked" && echo "int emit_photon(" >"$odd/linked/1.2_emit_photon.c" && ln -s "$root/solutions/$reflect" "$odd/linked/1.1_reflect.c"
     put_step "$odd/late" && cp "$odd"/capital/1.1* "$odd/late/1.1_reflect.c"
-    local loop # three steps that wait for ever take longer than the time that is given below
+    local loop # while these wait for ever the time is up
     for loop in 2_glossy_lobe/2.3_scatter_glossy_source_text 2_glossy_lobe/2.4_scatter_glossy_phong 3_colour_dispersion/3.1_refract; do
         sed '1i #include <poll.h>
             s/todo(.*/for (;;) poll(NULL, 0, -1);/' "$root/exercises/.stubs/$loop.c" >"$odd/late/${loop#*/}.c"
     done
+    make_timeout
     put_step "$odd/new"$'\n'"line"
     echo "int x;" >"$odd/judy.c" && printf 'id;"group, or team"\ndoe;"a;b"\nnobody;1\n' >"$odd/roster.csv"
     cp "$solved/$reflect" "$odd/doe_12345_1.1_reflect.c" && cp "$solved/$turn" "$odd/doe_12346_2.2_turn_to-1.c"
 }
 
+# In timeout's place: when the time is up for "late" is not the clock's to say, which on a busy machine leaves less to be graded, but the
+# two steps' that have their verdict by then.
+make_timeout() {
+    mkdir "$work/bin" && cat >"$work/bin/timeout" <<END && chmod +x "$work/bin/timeout"
+#!/usr/bin/env bash
+all="\$* "
+[[ \$all == *" --report "* ]] && [ -n "\$(find . -name '3.1_refract.c')" ] || exec "$(command -v timeout)" "\$@"
+report=\${all##* --report } && report=\${report%% *}
+"\${@:4}" &
+until grep -qs '^ "passed": 2,' "\$report/report.json"; do
+    kill -0 \$! || break
+    sleep 0.1
+done
+kill \$!
+wait \$!
+exit 124
+END
+}
+
 check_odd() {
     make_odd
     grade_odd() {
-        PHOTONLAB_DIR=$work/odd PHOTONLAB_OUT=$work/odd-out PHOTONLAB_SECONDS_EACH=12 \
+        PATH=$work/bin:$PATH PHOTONLAB_DIR=$work/odd PHOTONLAB_OUT=$work/odd-out PHOTONLAB_SECONDS_EACH=12 \
             PHOTONLAB_SALT=pepper PHOTONLAB_ROSTER=$work/odd/roster.csv PHOTONLAB_PARALLEL_FLAGS="-j 3" \
             bash "$here/class.sh" >"$work/odd-out-said" 2>&1
     }
@@ -138,7 +158,7 @@ check_class() {
     make_class
     (start_class setsid) >/dev/null 2>&1 &
     killed=$!
-    for _ in $(seq 200); do [ "$(finished)" -ge 2 ] && break; sleep 0.05; done
+    until [ "$(finished)" -ge 2 ] || ! kill -0 "$killed" 2>/dev/null; do sleep 0.05; done
     kill -9 -- "-$killed" 2>/dev/null
     wait "$killed" 2>/dev/null
     done_before=$(finished)

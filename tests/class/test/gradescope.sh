@@ -43,12 +43,12 @@ check_gradescope() {
         good "gradescope: the same when it is made again" || bad "gradescope: another salt when made again"
     says '2.2 Turn' "$place/results/results.json" "gradescope: its results name the steps"
     rm "$place/submission/"* && cp "$work"/odd/late/*.c "$work"/odd/late/*/*.c "$place/submission/"
-    autograde env AUTOGRADER_SECONDS=10
+    autograde env PATH="$work/bin:$PATH"
     check "$(points) == 9" "gradescope: what was graded before the time ran out counts"
     says '"output": "The time for grading ran out' "$place/results/results.json" "gradescope: and it says so"
     rm -f "$place/results/results.json"
     (autograde exec setsid) 2>/dev/null &
-    for _ in $(seq 100); do [ -s "$place/results/results.json" ] && break; sleep 0.02; done
+    until [ -s "$place/results/results.json" ] || ! kill -0 $! 2>/dev/null; do sleep 0.02; done
     kill -9 -- "-$!" 2>/dev/null
     wait $! 2>/dev/null
     says '"score": 0, "output": "Grading did not come to its end' "$place/results/results.json" \
