@@ -34,7 +34,7 @@ void coach_note_states(Coach *coach, const StepState states[STEP_COUNT])
     Verdicts *verdicts = &coach->verdicts;
     if (!coach->judging)
         return;
-    for (size_t i = 0; i < STEP_COUNT; i++) {
+    for (size_t i = 0; i < verdicts->count; i++) {
         Verdict *verdict = &verdicts->steps[i];
         if (states[i] != STEP_STUDENT && verdict->state != VERDICT_ERROR)
             *verdict = (Verdict){.state = VERDICT_TODO};
@@ -52,9 +52,15 @@ static void choose_step(Coach *coach, size_t step)
     coach->verdicts.hint[0] = '\0';
 }
 
+// A file of a step that the course does not have may still lie there.
+static bool is_of_course(const Coach *coach, const StepInfo *step)
+{
+    return (size_t)(step - step_table) < coach->verdicts.count;
+}
+
 void coach_judge(Coach *coach, const StepInfo *step)
 {
-    if (!coach->judging || !coach->stated) // all that are started will be
+    if (!coach->judging || !coach->stated || !is_of_course(coach, step)) // all that are started will be
         return;
     choose_step(coach, (size_t)(step - step_table));
     judging_want(coach->judging, &coach->verdicts, (size_t)(step - step_table), true);
@@ -63,7 +69,8 @@ void coach_judge(Coach *coach, const StepInfo *step)
 void coach_note_broken(Coach *coach, const StepInfo *step, const char *message)
 {
     Verdict *verdict = &coach->verdicts.steps[step - step_table];
-    if (!coach->judging || strncmp(message, step->id, strlen(step->id)) != 0) // of a file that is no step's
+    if (!coach->judging || !is_of_course(coach, step) ||
+        strncmp(message, step->id, strlen(step->id)) != 0) // of a file that is no step's
         return;
     choose_step(coach, (size_t)(step - step_table));
     *verdict = (Verdict){.state = VERDICT_ERROR};
