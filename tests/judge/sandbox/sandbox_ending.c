@@ -6,6 +6,8 @@
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t asked; // the signal
@@ -13,6 +15,7 @@ static int running;                 // runs, by all threads
 static pthread_once_t once = PTHREAD_ONCE_INIT;
 
 static int witness = -1; // writes: pid of what begins, -pid of what ended
+static pid_t who_waits;
 
 #define MOST_AT_ONCE 1024
 
@@ -53,7 +56,18 @@ static void call_witness(void)
         wait_for_the_end(0);
     }
     close(ends[0]);
+    who_waits = child;
     witness = child > 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0 ? ends[1] : -1;
+}
+
+// A judge that ends by itself takes it along: in a container nobody else may.
+static void dismiss_witness(void)
+{
+    if (witness < 0)
+        return;
+    close(witness);
+    waitpid(who_waits, NULL, 0);
+    witness = -1;
 }
 
 static void tell(pid_t what)
@@ -76,6 +90,7 @@ void sandbox_group_ends(pid_t group)
 
 static void end_by(int number)
 {
+    dismiss_witness();
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -101,6 +116,7 @@ static void take_signals(void)
 static void prepare(void)
 {
     call_witness();
+    atexit(dismiss_witness);
     take_signals();
 }
 
