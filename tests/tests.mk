@@ -175,7 +175,7 @@ bench-test: judge
 bench-preview: all meshes judge
 	@bash tests/bench/preview.sh $(PROGRAM) $(BUILD) $(STEP_COMMAND)
 
-##maintainer fuzz  feed a reader with nonsense: READER=scene|…|all SECONDS=600; tests/fuzz/ has a file for each
+##maintainer fuzz  feed a reader with nonsense: READER=scene|…|all SECONDS=600 of a processor; tests/fuzz/ has a file for each
 READER  ?= scene
 SECONDS ?= 60
 FUZZERS  = $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
