@@ -3,7 +3,7 @@ passed=0
 failed=0
 work=$(mktemp -d)
 # A job that is ended before it has become its program runs this, too, in a process of its own.
-trap '[ "$BASHPID" = $$ ] && rm -rf "$work"' EXIT
+trap '[ "$(exec sh -c "echo \$PPID")" = $$ ] && rm -rf "$work"' EXIT
 
 good() {
     passed=$((passed + 1))

@@ -5,11 +5,11 @@
 fewer_stages() {
     local top=$1 last=$2 later="[$(($2 + 1))-9]"
     (cd "$top" && rm -rf exercises/$later* exercises/.stubs/$later* lib/steps/hints/$later* course_notes/figures/gallery_${later}_*)
-    sed -i -e '/^<!-- all stages -->$/,/^<!-- end of all stages -->$/d' -e "/^| \[*$later[ .][^|]*|/d" "$top/README.md" \
+    sed -i -e '/^<!-- all stages -->$/,/^<!-- end of all stages -->$/d' -e "/^| \[*${later}[ .][^|]*|/d" "$top/README.md" \
         "$top/exercises/README.md" "$top"/course_notes/{0_start_here,index,gallery}.md || return 1
     sed -i "1s/\$/, beyond the course\n\n*Your course ends with stage $last. This chapter is for those who like to read on: the program does what it tells, and nobody asks you for its steps.*/
         /^\*Step $later\.[0-9]*, \`exercises/d" "$top/course_notes/"${later}_*.md || return 1
-    sed -i -z -E "s/\[([^]]*)\]\(gallery\.html#[a-z]*-$later[^)]*\)/\1/g" "$top/course_notes/"${later}_*.md || return 1
+    sed -i -z -E "s/\[([^]]*)\]\(gallery\.html#[a-z]*-${later}[^)]*\)/\1/g" "$top/course_notes/"${later}_*.md || return 1
     awk -v "tile=[(]#m-$later-" -v "section=[{]#step-$later-" '
         function show() { if (bullet !~ tile) printf "%s", bullet; bullet = "" }
         /^- / { show(); bullet = $0 "\n"; next }
