@@ -86,7 +86,8 @@ static long last_path(const PhotonPassOptions *options)
     return options->last > 0 ? options->last : options->photons;
 }
 
-// A pass while it goes on.
+// A pass while it goes on. Who traced the next chunk in the order takes all that are traced from there on, finds places in
+// the joined arrays for their photons, and copies these while others trace and copy.
 typedef struct {
     const Scene *scene;
     const PhotonPassOptions *options;
@@ -94,8 +95,9 @@ typedef struct {
     PhotonPass *pass;
     PhotonTrace *chunks;
     long all, traced, joined; // chunks
+    int copying;              // threads
     size_t caustics, caustic_room, rest_room;
-    bool part_caustics;
+    bool part_caustics, enough;
 } PassState;
 
 // Room for all photons and for what follows, going by those of the first chunks?
@@ -108,12 +110,15 @@ static bool all_will_fit(const PassState *now)
     return array_has_room(fmax(photons * (double)sizeof(StoredPhoton), following));
 }
 
-// Makes room for `count` photons more and, going by those so far, for all that will come: what of a large array is not used takes
-// no memory.
-static bool make_room(const PassState *now, PhotonArray *array, size_t count, size_t *room)
+// Makes room for `count` photons more and, going by those so far, for all that will come: what of a large array is not
+// used takes no memory. An array that was too small moves when nobody copies into it.
+static bool make_room(PassState *now, PhotonArray *array, size_t count, size_t *room)
 {
     if (array->photons && array->count + count <= *room)
         return true;
+    for (int copying = 1; copying;)
+#pragma omp atomic read
+        copying = now->copying;
     *room = (size_t)(1.05 * (double)(array->count + count) * (double)now->all / (double)(now->joined + 1)) + 1;
     StoredPhoton *photons = array_allocate(*room * sizeof *photons);
     if (photons && array->count)
@@ -123,82 +128,91 @@ static bool make_room(const PassState *now, PhotonArray *array, size_t count, si
     return photons != NULL;
 }
 
-static bool join(PassState *now, const PhotonTrace *chunk)
+// Adds the next chunk's books, and finds its photons a place.
+static bool join(PassState *now)
 {
     PhotonPass *pass = now->pass;
-    size_t apart = now->part_caustics ? chunk->caustics : 0;
-    if (!make_room(now, &pass->caustic, apart, &now->caustic_room) ||
-        !make_room(now, &pass->rest, chunk->count - apart, &now->rest_room))
+    PhotonTrace *chunk = &now->chunks[now->joined];
+    size_t apart = now->part_caustics ? chunk->caustics : 0, rest = chunk->count - apart;
+    if (chunk->out_of_memory || !make_room(now, &pass->caustic, apart, &now->caustic_room) ||
+        !make_room(now, &pass->rest, rest, &now->rest_room))
         return false;
-    StoredPhoton *to_caustic = pass->caustic.photons + pass->caustic.count;
-    StoredPhoton *to_rest = pass->rest.photons + pass->rest.count;
-    for (size_t i = 0; i < chunk->count; i++) {
-        bool caustic = now->part_caustics && chunk->photons[i].path == PATH_CAUSTIC;
-        *(caustic ? to_caustic++ : to_rest++) = chunk->photons[i];
-    }
+    chunk->first_caustic = pass->caustic.count;
+    chunk->first_rest = pass->rest.count;
     pass->caustic.count += apart;
-    pass->rest.count += chunk->count - apart;
+    pass->rest.count += rest;
     pass->stored += chunk->count;
     now->caustics += chunk->caustics;
     ledger_add(&pass->ledger, &chunk->ledger);
     pass->segments += chunk->segments;
     unsound_paths_add(&pass->unsound, &chunk->unsound);
-    return !chunk->out_of_memory;
+    now->joined++;
+    return now->joined != (now->all < CHUNKS_TRIED ? now->all : CHUNKS_TRIED) || all_will_fit(now);
 }
 
-// Joins to the pass, in their order, the chunks that are traced up to the first that is not. The latest one's memory serves its
-// thread again: what the system has to find and clear for photons that are only copied on would cost a tenth of the pass.
-static bool join_traced(PassState *now, long latest)
+// Joins all chunks that are traced up to the first that is not: those from *first on.
+static void join_traced(PassState *now, long latest, const PhotonTrace *trace, long *first, long *last)
 {
-    while (now->joined < now->all && now->chunks[now->joined].traced) {
-        PhotonTrace *chunk = &now->chunks[now->joined];
-        if (!join(now, chunk))
-            return false;
-        if (now->joined != latest)
-            free(chunk->photons);
-        chunk->photons = NULL;
-        now->joined++;
-        if (now->joined == (now->all < CHUNKS_TRIED ? now->all : CHUNKS_TRIED) && !all_will_fit(now))
-            return false;
-    }
-    return true;
+    bool enough = now->enough;
+    now->chunks[latest] = *trace; // not before: neighbours in the array share cache lines
+    *first = now->joined;
+    while (enough && now->joined < now->all && now->chunks[now->joined].traced)
+        enough = join(now);
+    *last = enough ? now->joined : *first; // what will not be needed is not copied
+    if (*last > *first)
+#pragma omp atomic
+        now->copying++;
+#pragma omp atomic write
+    now->enough = enough;
+    progress_report(&now->options->progress, "photons", (double)++now->traced / (double)now->all);
 }
 
-// False at the first lack of memory: the rest is left out.
-static bool trace_all(PassState *now)
+static void copy(PassState *now, PhotonTrace *chunk)
+{
+    StoredPhoton *to_caustic = now->pass->caustic.photons + chunk->first_caustic;
+    StoredPhoton *to_rest = now->pass->rest.photons + chunk->first_rest;
+    for (size_t i = 0; i < chunk->count; i++) {
+        bool caustic = now->part_caustics && chunk->photons[i].path == PATH_CAUSTIC;
+        *(caustic ? to_caustic++ : to_rest++) = chunk->photons[i];
+    }
+}
+
+// What one thread traces, up to the first lack of memory. The memory of a chunk that it has copied serves
+// it again: what the system has to find and clear for photons that are only copied on would cost a tenth of the pass.
+static void trace_some(PassState *now)
 {
     long end = last_path(now->options);
-    bool enough = true;
-#pragma omp parallel num_threads(parallel_threads(now->options->threads))
-    {
-        StoredPhoton *photons = NULL;
-        size_t capacity = 0;
+    StoredPhoton *spare = NULL;
+    size_t capacity = 0;
 #pragma omp for schedule(dynamic)
-        for (long i = 0; i < now->all; i++) {
-            bool going;
+    for (long i = 0; i < now->all; i++) {
+        bool going;
 #pragma omp atomic read
-            going = enough;
-            if (!going)
-                continue;
-            PhotonTrace trace = {.scene = now->scene, .options = now->options, .traced = true};
-            trace.photons = photons;
-            trace.capacity = capacity;
-            long first = now->options->first + i * CHUNK;
-            trace_chunk(&trace, now->chances, first, first + CHUNK < end ? first + CHUNK : end);
+        going = now->enough;
+        if (!going)
+            continue;
+        PhotonTrace trace = {.scene = now->scene, .options = now->options, .traced = true};
+        trace.photons = spare;
+        trace.capacity = capacity;
+        long first = now->options->first + i * CHUNK, last;
+        trace_chunk(&trace, now->chances, first, first + CHUNK < end ? first + CHUNK : end);
+        spare = NULL;
+        capacity = 0;
 #pragma omp critical(photon_pass_join)
-            {
-                now->chunks[i] = trace;
-                if (enough && !join_traced(now, i))
-#pragma omp atomic write
-                    enough = false;
-                photons = now->chunks[i].photons ? NULL : trace.photons;
-                capacity = photons ? trace.capacity : 0;
-                progress_report(&now->options->progress, "photons", (double)++now->traced / (double)now->all);
-            }
+        join_traced(now, i, &trace, &first, &last);
+        for (long j = first; j < last; j++) {
+            PhotonTrace *chunk = &now->chunks[j];
+            copy(now, chunk);
+            free(spare);
+            spare = chunk->photons;
+            capacity = chunk->capacity;
+            chunk->photons = NULL;
         }
-        free(photons);
+        if (last > first)
+#pragma omp atomic
+            now->copying--;
     }
-    return enough;
+    free(spare);
 }
 
 bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, PhotonPass *pass, Error *error)
@@ -210,7 +224,11 @@ bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, Photo
     now.chunks = calloc((size_t)now.all, sizeof *now.chunks);
     LightChance *chances = light_chances(scene);
     now.chances = chances;
-    bool ok = now.chunks && chances && trace_all(&now);
+    now.enough = now.chunks && chances;
+    if (now.enough)
+#pragma omp parallel num_threads(parallel_threads(options->threads))
+        trace_some(&now);
+    bool ok = now.enough;
     close_books(pass);
     for (long i = 0; now.chunks && i < now.all; i++)
         free(now.chunks[i].photons);

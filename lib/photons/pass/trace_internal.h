@@ -10,7 +10,8 @@ struct PhotonTrace {
 
     StoredPhoton *photons; // what this chunk of paths has stored, in order
     size_t count, capacity;
-    size_t caustics; // how many of them came by mirrors and glass only
+    size_t caustics;                  // how many of them came by mirrors and glass only
+    size_t first_caustic, first_rest; // where they go in the pass's arrays
     bool traced, out_of_memory;
 
     Ledger ledger;         // chance_error holds the sum of squares over paths until the pass ends
