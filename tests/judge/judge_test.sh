@@ -221,6 +221,11 @@ sleep 1
 left | comm -13 "$work/before" - >"$work/out"
 ok "ended at fifty moments, the judge leaves no process" not test -s "$work/out"
 
+# The process that waits for its end may itself be killed: the judge goes on to its verdict.
+setsid "${judge[@]}" --step 1.5 >"$work/out" 2>&1 &
+for try in $(seq 500); do pkill -KILL -x -P $! "sandbox's end" && break || sleep 0.01; done
+wait $! && [ "$try" -lt 500 ] && good "its witness killed, the judge goes on" || bad "its witness killed at try $try: $(cat "$work/out")"
+
 # Without a sandbox: loud, and not for credit.
 export PHOTONLAB_SANDBOX=none
 judged 0 "NO SANDBOX" --step 1.2

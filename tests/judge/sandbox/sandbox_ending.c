@@ -1,8 +1,10 @@
-// However the judge ends, what it started ends with it, by its group. Asked to end, by ctrl-C, a newer save, a limit of time, the judge does
-// that itself. For when it is killed a small process of ours waits at a pipe that the judge alone holds open. The kernel's signal
-// at a parent's death is not enough: it reaches nobody who has not yet asked for it, and bubblewrap's second process asks last.
+// However the judge ends, what it started ends with it, by its group. Asked to end, by ctrl-C, a newer save, a limit of
+// time, the judge does that itself. For when it is killed a small process of ours waits at a pipe into which the judge
+// alone can write. The kernel's signal at a parent's death is not enough: it reaches nobody who has not yet asked for it,
+// and bubblewrap's second process asks last.
 #include "judge/sandbox/sandbox_parts.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
@@ -55,7 +57,9 @@ static void call_witness(void)
             close(fd);
         wait_for_the_end(0);
     }
-    close(ends[0]);
+    // The end to read from stays open here, too, and nothing waits for room: a witness that somebody kills harms no judge.
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFL, O_NONBLOCK);
     who_waits = child;
     witness = child > 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0 ? ends[1] : -1;
 }
@@ -63,11 +67,12 @@ static void call_witness(void)
 // A judge that ends by itself takes it along: in a container nobody else may.
 static void dismiss_witness(void)
 {
-    if (witness < 0)
-        return;
-    close(witness);
-    waitpid(who_waits, NULL, 0);
+    int writes = witness;
     witness = -1;
+    if (writes < 0)
+        return;
+    close(writes);
+    waitpid(who_waits, NULL, 0);
 }
 
 static void tell(pid_t what)
@@ -85,6 +90,9 @@ void sandbox_group_ends(pid_t group)
 {
     kill(-group, SIGKILL);
     kill(group, SIGKILL);
+    siginfo_t info;
+    while (waitid(P_PID, (id_t)group, &info, WEXITED | WNOWAIT) < 0 && errno == EINTR)
+        continue; // it may be telling that it begins
     tell(-group);
 }
 
