@@ -149,13 +149,18 @@ static const char *feedback_of(const Table *table, const TableRow *row, char *te
     if (strcmp(s->status, "graded") != 0)
         text_append(plain, sizeof plain, ". %s: %.400s", s->status, s->message);
     *text = '\0';
-    for (const char *at = plain; *at; at++)
+    size_t bytes;
+    for (const char *at = plain; *at; at += bytes + !bytes) {
+        unsigned long code;
+        bytes = text_character((const unsigned char *)at, strlen(at), &code); // 0: one that a limit has cut
+        text_append(text, size, "%.*s", *at == '&' || *at == '<' || *at == '>' || *at == '\n' ? 0 : (int)bytes, at);
         text_append(text, size, "%s",
                     *at == '&'    ? "&amp;"
                     : *at == '<'  ? "&lt;"
                     : *at == '>'  ? "&gt;"
                     : *at == '\n' ? " "
-                                  : (char[]){*at, '\0'});
+                                  : "");
+    }
     return text;
 }
 
