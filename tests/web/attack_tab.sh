@@ -84,7 +84,8 @@ answers "a page that is told something" 404 -d x "$url"
 # Too much, and nonsense.
 head -c 200000 /dev/zero | tr '\0' a >"$work/long"
 answers "an address of 100 kB" '000|4..' "$url$(head -c 100000 "$work/long")"
-answers "a header of 200 kB" '000|4..' -H @<(echo "X-Long: $(cat "$work/long")") "$url"
+# By fours: newer curls send no longer line.
+answers "headers of 200 kB" '000|4..' -H @<(for i in 1 2 3 4; do echo "X-Long-$i: $(head -c 50000 "$work/long")"; done) "$url"
 answers "a header of 2000 lines" '000|4..' -H @<(seq -f 'X-%.0f: y' 2000) "$url"
 answers "a fault of 200 kB" '000|4..' -H 'Expect:' --data-binary @"$work/long" "$url"fault
 told "it tells too much"

@@ -109,7 +109,7 @@ check_fewer() {
     says 'there is no step `4.1`' "$work/said" "fewer: so does a hint"
     says '^not started: .* 3.5$' "$work/said" "fewer: submit lists no others"
     { echo '#include "photonlab.h"'; sed -n '/^Vec3 reflect/,/^}/p' course_notes/0_start_here.md; } >"$tree/exercises/1_diffuse_photon_map/1.1_reflect.c"
-    (cd "$tree" && "${judge[@]}" --step 1.1) 2>&1 | sed '1{/^$/d;}; s/ *$//' >"$work/said"
+    (cd "$tree" && "${judge[@]}" --step 1.1) 2>&1 | sed '/^── The code could read/,/^$/d' | sed '1{/^$/d;}; s/ *$//' >"$work/said"
     grep -v '^make: ' "$tree/course_notes/figures/0_first.txt" | diff - "$work/said" >"$work/differs" &&
         good "fewer: chapter 0 shows what the terminal says there" || bad "fewer: chapter 0 shows something else: $(cat "$work/differs")"
     mkdir -p "$work/fewer/ada" && cp "$solved/$turn" "$solved"/*/6.1_* "$work/fewer/ada/"
