@@ -172,15 +172,24 @@ static void describe_exit(const SandboxResult *ran, char *message, size_t size)
         snprintf(message, size, "it called exit(%d) before it was done", ran->exit_code);
 }
 
+// Code that compilers make of no line, as of a loop around nothing, has line 0.
+static void write_line(int line, char *text, size_t size)
+{
+    text[0] = '\0';
+    if (line > 0)
+        snprintf(text, size, ", line %d", line);
+}
+
 // Limits as they are for the usual machine, so that the words are the same on a slow one.
 static void describe_signal(const GradeOptions *options, const SandboxResult *ran, const LastWords *words,
                             const SourcePlace *places, int count, char *message, size_t size)
 {
     int number = words->signal ? words->signal : ran->signal;
-    char place[256] = "", in[160] = "";
+    char place[256] = "", in[160] = "", line[32];
     if (count > 0) {
         const char *of = words->step[0] ? " of step " : "";
-        snprintf(place, sizeof place, " in %s%s%s, line %d", places[0].function, of, words->step, places[0].line);
+        write_line(places[0].line, line, sizeof line);
+        snprintf(place, sizeof place, " in %s%s%s%s", places[0].function, of, words->step, line);
         snprintf(in, sizeof in, ": it was in %s%s%s;", places[0].function, of, words->step);
     }
     bool out_of_memory = ran->memory_mb > 0 && words->peak_kb > ran->memory_mb * 1024 / 4 * 3;
@@ -225,8 +234,7 @@ void crash_describe(const GradeOptions *options, const SandboxResult *ran, const
         describe_exit(ran, told->message, sizeof told->message);
     else
         describe_signal(options, ran, &words, places, count, told->message, sizeof told->message);
-    if (count > 0 && !words.stack_overflow)
-        snprintf(told->where, sizeof told->where, "%s, line %d", places[0].function, places[0].line);
-    else
-        snprintf(told->where, sizeof told->where, "%s", count > 0 ? places[0].function : symbol);
+    char line[32];
+    write_line(count > 0 && !words.stack_overflow ? places[0].line : 0, line, sizeof line);
+    snprintf(told->where, sizeof told->where, "%s%s", count > 0 ? places[0].function : symbol, line);
 }
