@@ -130,13 +130,21 @@ static const StepInfo *worst_step(const Student *s)
 
 #define OURS "photonlab: " // what begins so may be written anew; what a teacher has written stays
 
+// Moodle's editor puts what it saves into a paragraph.
+static bool is_ours(const char *feedback)
+{
+    while (*feedback == '<' || *feedback == ' ')
+        feedback += *feedback == '<' ? strcspn(feedback, ">") + (strchr(feedback, '>') != NULL) : 1;
+    return strncmp(feedback, OURS, strlen(OURS)) == 0;
+}
+
 // A line for the student, which Moodle takes for HTML.
 static const char *feedback_of(const Table *table, const TableRow *row, char *text, size_t size)
 {
     const Student *s = row->student;
     const char *old = csv_cell(&table->roster.csv, row->roster_row, table->grades.feedback);
     char plain[1200] = OURS;
-    if ((*old && strncmp(old, OURS, strlen(OURS)) != 0) || is_kept(table, row) ||
+    if ((*old && !is_ours(old)) || is_kept(table, row) ||
         strcmp(s->status, "no submission") == 0)
         return old;
     const StepInfo *step = worst_step(s);

@@ -91,11 +91,11 @@ check_moodle() {
     done
     sed 's/return .*/return axis;/' "$solved/$turn" >"$in/lab_1-Jane Doe_816_assignsubmission_file/${turn#*/}"
     (cd "$in" && zip -qr "$work/moodle" .) && mv "$work/moodle.zip" "$work/moodle"
-    sheet() { # sheet GRADE GRADE GRADE GRADE [DAY], on which the first one came
+    sheet() { # sheet GRADE GRADE GRADE GRADE [DAY FEEDBACK], on which the first one came and what it was told before
         printf '\357\273\277%s,%s\n' 'Identifier,"Full name","Email address",Status,Grade,"Maximum Grade"' \
             '"Grade can be changed","Last modified (submission)","Last modified (grade)","Feedback comments"'
         printf '"Participant %s","%s",%s,"%s",%s,%s,%s,"%s",-,%s\n' \
-            816 "Jane Doe" j@x.org "Submitted for grading" "$1" 50.00 Yes "${5:-Monday, 30} November 2026, 2:14 PM" "" \
+            816 "Jane Doe" j@x.org "Submitted for grading" "$1" 50.00 Yes "${5:-Monday, 30} November 2026, 2:14 PM" "${6:-}" \
             815 "Jane Doe" jd@x.org "Submitted for grading" "$2" 50.00 Yes "Saturday, 28 November 2026, 11:59 PM" "seen at the board" \
             817 "Ann B" a@x.org "Submitted for grading" "$3" 50.00 No "Sunday, 27 December 2026, 12:00 AM" "" \
             818 "No One" n@x.org "No submission" "$4" 50.00 Yes - ""
@@ -116,11 +116,12 @@ check_moodle() {
     says 'Participant 815.*,seen at the board$' "$work/moodle-out/moodle.csv" "moodle: what a teacher has written to one stays"
     says 'Participant 818.*,-,$' "$work/moodle-out/moodle.csv" "moodle: and who handed in nothing is told nothing"
     # Handed in again, too late, with the rest: what the stage had before counts.
-    sheet "" "" 11 "" "Sunday, 29" | sed 's/29 November/6 December/' >"$work/again.csv"
+    sheet "" "" 11 "" "Sunday, 29" '"<p dir=""ltr"">photonlab: as Moodle saves it</p>"' | sed 's/29 November/6 December/' >"$work/again.csv"
     mv "$work/moodle" "$work/again"
     PHOTONLAB_EARLIER=$work/moodle-out grade again PHOTONLAB_ROSTER="$work/again.csv" PHOTONLAB_FORMAT=moodle PHOTONLAB_POINTS="$work/late.txt"
     in_table again-out 816 '^Participant 816,.*,yes,3.2,100,3.2,0,0,.*,0,0,.*stage 1 has the points that it had before' \
         "late: a stage that is late now keeps what was handed in before"
+    says 'Participant 816.*,"photonlab: stage 1: 3.2 of 4' "$work/again-out/moodle.csv" "moodle: a line of ours is written anew, however Moodle saved it"
 }
 
 check_roster() {
