@@ -76,8 +76,8 @@ static Key *make_keys(const Student *students, size_t count)
     return keys;
 }
 
-// Whose key is that text, the whole name if there is one; of two who share a part of their names none. Number and 1.
-static size_t find_key(const Key *keys, size_t count, const char *text, const bool *taken)
+// The key of that text, of the whole name if there is one; of two who share a part of their names none.
+static const Key *find_key(const Key *keys, size_t count, const char *text)
 {
     size_t low = 0, high = 3 * count;
     while (low < high) {
@@ -87,42 +87,47 @@ static size_t find_key(const Key *keys, size_t count, const char *text, const bo
         else
             high = middle;
     }
-    for (; *text && low < 3 * count && strcmp(keys[low].text, text) == 0; low++) {
-        bool shared =
-            low + 1 < 3 * count && keys[low + 1].rank == keys[low].rank && strcmp(keys[low + 1].text, text) == 0;
-        if (keys[low].rank == 0 || !taken[keys[low].student])
-            return shared ? 0 : keys[low].student + 1;
-    }
-    return 0;
+    const Key *key = keys + low, *next = key + 1, *end = keys + 3 * count;
+    if (!*text || key >= end || strcmp(key->text, text) != 0)
+        return NULL;
+    return next < end && next->rank == key->rank && strcmp(next->text, text) == 0 ? NULL : key;
 }
 
 // A cell as it stands; without its @… if it is an address; the number alone of Moodle's "Participant 4711".
-static size_t find_cell(const Key *keys, size_t count, const char *cell, const bool *taken)
+static const Key *find_cell(const Key *keys, size_t count, const char *cell)
 {
-    char key[KEY_SIZE];
+    char text[KEY_SIZE];
     const char *last = strrchr(cell, ' ');
-    make_key(cell, strlen(cell), key);
-    size_t found = find_key(keys, count, key, taken);
+    make_key(cell, strlen(cell), text);
+    const Key *found = find_key(keys, count, text);
     if (!found && strchr(cell, '@')) {
-        make_key(cell, strcspn(cell, "@"), key);
-        found = find_key(keys, count, key, taken);
+        make_key(cell, strcspn(cell, "@"), text);
+        found = find_key(keys, count, text);
     }
     if (!found && last && last[1] && strspn(last + 1, "0123456789") == strlen(last + 1))
-        found = find_key(keys, count, last + 1, taken);
+        found = find_key(keys, count, last + 1);
     return found;
 }
 
-// How many submissions the column knows; `of` and `taken` tell which.
-static size_t match_column(const Roster *roster, size_t column, const Key *keys, size_t count, size_t *of, bool *taken)
+// How rows know a submission. Of one group each knows it by its name; what is part of its name may be one row's alone.
+typedef enum { BY_NONE, BY_PART, BY_PART_OF_TWO, BY_NAME } Known;
+
+// How many submissions the column knows; `of` and `by` tell which.
+static size_t match_column(const Roster *roster, size_t column, const Key *keys, size_t count, size_t *of, Known *by)
 {
     size_t known = 0;
-    memset(taken, 0, count + 1);
-    for (size_t r = 1; r < roster->csv.rows; r++) {
-        of[r] = roster_is_student(roster, r) ? find_cell(keys, count, csv_cell(&roster->csv, r, column), taken) : 0;
-        known += of[r] && !taken[of[r] - 1];
-        if (of[r])
-            taken[of[r] - 1] = true;
-    }
+    memset(by, 0, (count + 1) * sizeof *by);
+    for (int counted = 0; counted < 2; counted++)
+        for (size_t r = 1; r < roster->csv.rows; r++) {
+            const char *cell = csv_cell(&roster->csv, r, column);
+            const Key *key = roster_is_student(roster, r) ? find_cell(keys, count, cell) : NULL;
+            Known *its = &by[key ? key->student : count];
+            if (!counted && key)
+                *its = key->rank == 0 ? BY_NAME : *its == BY_NONE ? BY_PART : *its == BY_PART ? BY_PART_OF_TWO : *its;
+            of[r] = key && *its == (key->rank == 0 ? BY_NAME : BY_PART) ? key->student + 1 : 0;
+        }
+    for (size_t i = 0; i < count; i++)
+        known += by[i] == BY_PART || by[i] == BY_NAME;
     return known;
 }
 
@@ -179,12 +184,12 @@ bool roster_match(Roster *roster, const char *path, const char *wanted, Student 
     if (wanted)
         to = from + 1;
     Key *keys = make_keys(students, count);
-    bool *taken = calloc(count + 1, sizeof *taken);
+    Known *by = calloc(count + 1, sizeof *by);
     roster->of = calloc(roster->csv.rows + 1, sizeof *roster->of);
-    bool ok = (keys && taken && roster->of) || error_set(error, "no memory");
+    bool ok = (keys && by && roster->of) || error_set(error, "no memory");
     roster->column = from;
     for (size_t c = from; ok && c < to; c++) {
-        size_t known = match_column(roster, c, keys, count, roster->of, taken);
+        size_t known = match_column(roster, c, keys, count, roster->of, by);
         if (known > most) {
             most = known;
             roster->column = c;
@@ -195,13 +200,13 @@ bool roster_match(Roster *roster, const char *path, const char *wanted, Student 
                        wanted ? "no row of its column `" : "no column", wanted ? wanted : "", wanted ? "`" : "",
                        students[0].name);
     if (ok)
-        match_column(roster, roster->column, keys, count, roster->of, taken);
+        match_column(roster, roster->column, keys, count, roster->of, by);
     for (size_t i = 0; ok && i < count; i++)
-        students[i].in_roster = taken[i];
+        students[i].in_roster = by[i] == BY_PART || by[i] == BY_NAME;
     if (ok && 2 * most < count)
         warn_of_few(roster, path, most, students, count);
     free(keys);
-    free(taken);
+    free(by);
     return ok && read_times(roster, path, students, error);
 }
 

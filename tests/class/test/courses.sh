@@ -71,6 +71,15 @@ END
     says '<details><summary>1 ✗ or !</summary>1.1: the photon is sent straight back' "$work/canvas-out/index.html" \
         "canvas: what went wrong stands in the row, folded"
     says '<b>1</b> the photon is sent straight back.*<img' "$work/canvas-out/lecture.html" "canvas: a picture for the lecture"
+    # Handed in again, two days late and wrong now: what the stage had before counts.
+    mkdir "$work/canvas-again" && cp "$in/roezo"* "$work/canvas-again/"
+    sed 's/return .*/return direction;/' "$solved/$reflect" >"$work/canvas-again/doejane_LATE_4711_102_1.1_reflect.c"
+    sed '1s/$/,submitted/; /,4711,/s/$/,2026-11-30 14:14/' "$work/gradebook.csv" >"$work/dated.csv"
+    printf '%s\n' 'stage 1 due 2026-11-28' | cat - "$work/late.txt" >"$work/due.txt"
+    PHOTONLAB_EARLIER=$work/canvas-out grade canvas-again PHOTONLAB_ROSTER="$work/dated.csv" PHOTONLAB_FORMAT=canvas \
+        PHOTONLAB_GRADE=photonlab PHOTONLAB_POINTS="$work/due.txt" || bad "canvas: $(cat "$work/canvas-again-out-said")"
+    in_table canvas-again-out ',4711,' 'stage 1 has the points that it had before' "canvas: late again, what was handed in before stays"
+    says '^"Doe, Jane",4711,s1,jane,A,0.80$' "$work/canvas-again-out/canvas.csv" "canvas: and so does the grade"
     mkdir "$work/nameless" "$work/nameless/ann" && printf 'ann\0' >"$work/nameless/names"
     echo '{"status": "graded"}' >"$work/nameless/ann/graded.json"
     echo '{"steps": [{"id": "1.1", "status": "fail", "message": "expected 3; later on it did not end within 18 s"},
