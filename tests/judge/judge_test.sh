@@ -39,6 +39,7 @@ ok "two makes at once build one program" "$work/two/photonlab" steps
 # A right step in a folder with a blank in its name; the same in the wrong place.
 cp solutions/1_diffuse_photon_map/1.1_reflect.c "$stage1/"
 judged 0 "1 passed, 0 failed" --stage 1
+PHOTONLAB_CC="${PHOTONLAB_CC:-cc} -pipe" judged 0 "1 passed, 0 failed" --step 1.1 # a compiler of two words
 mv "$stage1/1.1_reflect.c" "$work/my code/1.1_mirror.c"
 judged 0 "1.1_mirror.c is not graded: step 1.1 is looked for in" --stage 1
 rm "$work/my code/1.1_mirror.c"

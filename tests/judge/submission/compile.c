@@ -18,11 +18,13 @@ void step_directory(const GradeOptions *options, const StepInfo *step, char *pat
     mkdir(path, 0755);
 }
 
-// Words of a command line, parted by blanks; `text` is cut up.
-static int split_words(char *text, const char **words, int count)
+// Words of a command, parted by blanks: the compiler may be several, too. `line` takes them; returns how many there are.
+static int split_words(const char *compiler, const char *flags, char *line, size_t size, const char **words)
 {
+    int count = 0;
     char *rest;
-    for (char *word = strtok_r(text, " ", &rest); word && count < MOST_WORDS - 8; word = strtok_r(NULL, " ", &rest))
+    snprintf(line, size, "%s %s", compiler, flags);
+    for (char *word = strtok_r(line, " ", &rest); word && count < MOST_WORDS - 8; word = strtok_r(NULL, " ", &rest))
         words[count++] = word;
     return count;
 }
@@ -66,13 +68,11 @@ static bool run_tool(const GradeOptions *options, const Paths *p, const char *co
 static Status compile(const GradeOptions *options, const Paths *p, StepWords *told)
 {
     SandboxResult ran;
-    char flags[2048], link_flags[2048], include[4200];
-    const char *words[MOST_WORDS] = {options->compiler};
+    char line[4096], include[4200];
+    const char *words[MOST_WORDS];
     Error error = {""};
-    snprintf(flags, sizeof flags, "%s", options->flags);
-    snprintf(link_flags, sizeof link_flags, "%s", options->link_flags);
     snprintf(include, sizeof include, "-I%s", p->include);
-    int count = split_words(flags, words, 1);
+    int count = split_words(options->compiler, options->flags, line, sizeof line, words);
     const char *const compile_words[] = {include, "-fmax-errors=20", "-MMD", "-c", p->source, "-o", p->object, NULL};
     memcpy(words + count, compile_words, sizeof compile_words);
     if (!run_tool(options, p, words, &ran, &error))
@@ -82,8 +82,7 @@ static Status compile(const GradeOptions *options, const Paths *p, StepWords *to
     if (ran.exit_code != 0)
         return words_say(told, STATUS_ERROR,
                          ran.exit_code > 0 ? "it does not compile" : "the compiler did not come to an end");
-    memset(words + 1, 0, sizeof words - sizeof *words);
-    count = split_words(link_flags, words, 1);
+    count = split_words(options->compiler, options->link_flags, line, sizeof line, words);
     const char *const link_words[] = {p->object, "-o", p->shared, NULL};
     memcpy(words + count, link_words, sizeof link_words);
     if (run_tool(options, p, words, &ran, &error) && ran.exit_code == 0)
