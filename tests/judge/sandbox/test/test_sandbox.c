@@ -3,10 +3,10 @@
 #define _GNU_SOURCE // memfd_create
 #include "judge/sandbox/sandbox_parts.h"
 #include "judge/sandbox/test/inside.h"
+#include "judge/sandbox/test/killed_judge.h"
 
 #include <fcntl.h>
 #include <grp.h>
-#include <poll.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -16,7 +16,6 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -127,57 +126,10 @@ static void nothing_left_behind(void **state)
     assert_int_not_equal(system("pgrep -f 'test_sandbox --inside behin[d]' >/dev/null"), 0);
 }
 
-// A judge of its own, to be killed: `test_sandbox --sleep KIND COMPILER`. What runs for it holds descriptor 3.
-static int sleep_for_ever(const char *asked, bool compiler)
-{
-    static SandboxResult result;
-    const char *const arguments[] = {self, "--inside", "sleep", "", NULL};
-    Error error = {""};
-    for (kind = SANDBOX_BUBBLEWRAP; strcmp(asked, sandbox_name(kind)) != 0;)
-        kind++;
-    SandboxRun run = {.arguments = arguments,
-                      .visible = {self},
-                      .result_fd = 3,
-                      .compiler = compiler,
-                      .cpu_seconds = 5,
-                      .wall_seconds = 300,
-                      .memory_mb = 256,
-                      .file_mb = 1};
-    return !sandbox_run(kind, &run, &result, &error);
-}
-
-// Killed at any moment, it takes with it what it started: bubblewrap's two processes, too, while one does not know the other.
 static void nothing_outlives_a_kill(void **state)
 {
     (void)state;
-    int in_time = 0; // killed before it could end by itself
-    // Dead ones count against the user's limit until somebody asks for them, and not everybody's init makes haste.
-    assert_int_equal(prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0), 0);
-    for (int i = 0; i < 100; i++) {
-        int ends[2];
-        assert_int_equal(pipe(ends), 0);
-        pid_t judge = fork();
-        if (judge == 0) {
-            dup2(ends[1], 3);
-            for (int fd = 4; fd < 16; fd++)
-                close(fd);
-            execl(self, self, "--sleep", sandbox_name(kind), i % 2 ? "compiler" : "probe", (char *)NULL);
-            _exit(3);
-        }
-        close(ends[1]);
-        usleep((useconds_t)i * 250); // all it has to do until then takes some 10 ms
-        int status;
-        kill(judge, SIGKILL);
-        waitpid(judge, &status, 0);
-        in_time += WIFSIGNALED(status);
-        struct pollfd last = {.fd = ends[0]};
-        assert_int_equal(poll(&last, 1, 20000), 1);
-        close(ends[0]);
-        while (waitpid(-1, NULL, WNOHANG) > 0)
-            continue;
-    }
-    prctl(PR_SET_CHILD_SUBREAPER, 0, 0, 0, 0);
-    assert_int_equal(in_time, 100);
+    kill_judges(self, kind);
 }
 
 // An exposed secret is no reason for bubblewrap, which does not show it; the user of its own would read it.
@@ -293,7 +245,7 @@ int main(int count, char **arguments)
         return inside(arguments[2], arguments[3]);
     snprintf(self, sizeof self, "%s", arguments[0]);
     if (count == 4 && strcmp(arguments[1], "--sleep") == 0)
-        return sleep_for_ever(arguments[2], strcmp(arguments[3], "compiler") == 0);
+        return killed_judge(self, arguments[2], strcmp(arguments[3], "compiler") == 0);
     if (count > 4)
         return 2;
     char copy[1024];
