@@ -144,8 +144,7 @@ static const char *feedback_of(const Table *table, const TableRow *row, char *te
     const Student *s = row->student;
     const char *old = csv_cell(&table->roster.csv, row->roster_row, table->grades.feedback);
     char plain[1200] = OURS;
-    if ((*old && !is_ours(old)) || is_kept(table, row) ||
-        strcmp(s->status, "no submission") == 0)
+    if ((*old && !is_ours(old)) || is_kept(table, row) || strcmp(s->status, "no submission") == 0)
         return old;
     const StepInfo *step = worst_step(s);
     list_stages(table, s, plain, sizeof plain);
