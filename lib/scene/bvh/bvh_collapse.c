@@ -69,9 +69,9 @@ static void choose(const Split *splits, uint32_t node, int places, Children *chi
 // A little lower than `low`, with the exponent of the shortest step of which 254 reach `high`: rounding takes one more.
 static float frame(float low, float high)
 {
-    float margin = fabsf(low) * 0x1p-14f;
+    float margin = fabsf(low) * 0x1p-13f;
     uint32_t exponent = (float_bits((high - low + 2.0f * margin) / 254.0f + FLT_MIN) + 0x7fffff) >> 23;
-    return bits_float((float_bits(low - margin) & ~0xffu) | exponent);
+    return bits_float((float_bits(low - margin) & ~0x1ffu) | exponent);
 }
 
 static void set_bounds(Node *wide, const Split *splits, const uint32_t *children)

@@ -30,7 +30,7 @@
 
 // Its first children are nodes, which end at the line `children` of the tree's memory, the others packets, which begin there.
 typedef struct {
-    float low[3]; // where the children's boxes begin; its last byte is a step's exponent along that axis, too
+    float low[3]; // where the children's boxes begin; its last nine bits are a step's exponent along that axis, too
     uint32_t children : 25, node_count : 4, last_child : 3;
     uint8_t bounds[6][WIDTH]; // low x, high x, low y, high y, low z, high z of each child in steps from `low`
 } Node;

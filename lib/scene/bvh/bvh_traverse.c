@@ -72,8 +72,11 @@ static inline void prefetch(const Tree *tree, uint32_t child)
 static inline uint32_t descend(const Tree *tree, const Node *node, unsigned hits, const float enter[WIDTH], Entry **top)
 {
     uint32_t lane = (uint32_t)__builtin_ctz(hits);
-    uint32_t first = node_child(tree, node, lane);
     hits &= hits - 1;
+    // Most often one node: what is guessed need not wait for the table.
+    if (!hits && __builtin_expect(lane < node->node_count, 1))
+        return (node->children + lane - node->node_count) * LINE_PLACES;
+    uint32_t first = node_child(tree, node, lane);
     if (!hits)
         return first;
     Entry nearest = (Entry)float_bits(enter[lane]) << 32 | first;
