@@ -54,14 +54,14 @@ write_table() {
             echo "gcc and clang, -O0 and -O2, two salts: $(wc -l <"$matrix") gradings; $(cut -d ' ' -f 1-4 "$matrix" | sort -u | wc -l) different verdicts for $(cut -d ' ' -f 1 "$matrix" | sort -u | wc -l) cases."
         fi
         if [ -e "$found/attacks.txt" ]; then
-            echo "Attacks (each under bubblewrap and under a user of its own; 0 points for the step, nothing left behind): $(count '^✓' "$found/attacks.txt") held, $(count '^✗' "$found/attacks.txt") did not."
+            echo "Attacks (each under bubblewrap, under Landlock alone and under a user of its own; 0 points for the step, nothing left behind): $(count '^✓' "$found/attacks.txt") held, $(count '^✗' "$found/attacks.txt") did not."
         fi
         if [ -e "$found/false_verdicts.txt" ]; then
             local trials first confirmed
             trials=$(count " first-round " "$found/false_verdicts.txt")
             first=$(count " first-round fail" "$found/false_verdicts.txt")
             confirmed=$(count " confirmed fail" "$found/false_verdicts.txt")
-            echo "Right solutions, graded $trials times a step without confirmation: $first failed (at most $(clopper_pearson "$first" "$trials" 0.95) % at 95 % confidence, Clopper–Pearson)."
+            echo "Right solutions, graded $trials times, one step each, without confirmation: $first failed (at most $(clopper_pearson "$first" "$trials" 0.95) % at 95 % confidence, Clopper–Pearson)."
             echo "A failure by chance is confirmed on fresh random numbers, which are independent of the first: $confirmed of those failed again. If a step's rate in one round is at most $(clopper_pearson "$first" "$trials" 0.95) %, and rounds are independent, a wrong verdict has at most its square."
         fi
     } >"$work/table"
