@@ -27,6 +27,8 @@ for radii in pass pixel; do
     expect 0 "" "$program" render $passes --radii $radii --passes 3 -o "$work/three.part"
     expect 0 "" "$program" render $passes --radii $radii --resume "$work/three.part" -o "$work/resumed_$radii.pfm"
 done
+LC_ALL=C sed 's/ 1 eye rays/ 2147483647 eye rays/' "$work/three.part" >"$work/rays.part" # more than an int counts
+expect 1 "rays.part: its numbers cannot be" "$program" merge "$work/rays.part" -o "$work/m.pfm"
 expect 1 "it was made by --radii pixel, not pass" "$program" render $passes --resume "$work/three.part" -o "$work/m.pfm"
 expect 0 "" "$program" render $passes --radii pixel -o "$work/pixel.pfm"
 expect 0 "" "$program" render $scene $quick --quiet --seconds 0.1 -o "$work/seconds.part"

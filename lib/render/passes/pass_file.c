@@ -1,6 +1,7 @@
 #include "render/passes/pass_file.h"
 #include "base/file.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -119,6 +120,8 @@ static bool take_numbers(Reader *reader, PassOrigin *origin, Passes *passes, int
         return damaged(reader, "its numbers cannot be");
     pass_origin_range(origin, &passes->first, &passes->last);
     passes->by_pixel = strcmp(radii, "pixel") == 0;
+    if (passes->by_pixel && passes->done > INT_MAX / passes->samples)
+        return damaged(reader, "its numbers cannot be");
     int run;
     for (const char *at = line + length; sscanf(at, "%d%n", &run, &length) == 1; at += length) {
         if (run < 1 || run > passes->done - counted || passes->sums.count == MOST_RUNS)

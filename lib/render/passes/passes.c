@@ -1,6 +1,7 @@
 #include "render/passes/passes.h"
 #include "base/array.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -102,6 +103,9 @@ bool passes_run(const Scene *scene, const RenderOptions *options, Passes *passes
     float radius = passes->radius;
     int shrunk = 0;
     while (passes->first + passes->done < passes->last) {
+        if (passes->by_pixel && passes->done >= INT_MAX / passes->samples)
+            return error_set(error, "more than %d passes of %d eye rays a pixel cannot be counted", passes->done,
+                             passes->samples);
         for (; !passes->by_pixel && shrunk < passes->first + passes->done; shrunk++)
             if (!shrink(&radius, shrunk + 1, passes->alpha, error))
                 return false;
@@ -117,10 +121,10 @@ bool passes_picture(const Passes *passes, Image *image, Error *error)
 {
     if (!pass_sums_mean(&passes->sums, image, error))
         return false;
-    int looks = passes->done * passes->samples; // each eye ray has added its photons
     size_t pixels = (size_t)image->width * (size_t)image->height;
-    for (size_t i = 0; passes->points && i < pixels; i++)
-        image->pixels[i] = colour_add(image->pixels[i], steps.point_radiance(passes->points[i], looks));
+    for (size_t i = 0; passes->points && i < pixels; i++) // each eye ray has added its photons
+        image->pixels[i] =
+            colour_add(image->pixels[i], steps.point_radiance(passes->points[i], passes->done * passes->samples));
     return true;
 }
 
