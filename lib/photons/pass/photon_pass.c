@@ -116,8 +116,8 @@ static bool make_room(PassState *now, PhotonArray *array, size_t count, size_t *
 {
     if (array->photons && array->count + count <= *room)
         return true;
-    for (int copying = 1; copying;)
-#pragma omp atomic read
+    for (int copying = 1; copying;) // in order with what they read and write, which `seq_cst` says
+#pragma omp atomic read seq_cst
         copying = now->copying;
     *room = (size_t)(1.05 * (double)(array->count + count) * (double)now->all / (double)(now->joined + 1)) + 1;
     StoredPhoton *photons = array_allocate(*room * sizeof *photons);
@@ -209,7 +209,7 @@ static void trace_some(PassState *now)
             chunk->photons = NULL;
         }
         if (last > first)
-#pragma omp atomic
+#pragma omp atomic update seq_cst
             now->copying--;
     }
     free(spare);
