@@ -63,10 +63,9 @@ static bool keeps_both_ends(const SandboxResult *r)
            strstr(r->text, "the end\n");
 }
 
-// The kernel ends by counted ticks and tells exact time: a program that is often interrupted is some tenths apart.
 static bool takes_its_second(const SandboxResult *r)
 {
-    return !r->timed_out && r->cpu_seconds > 0.5 && r->cpu_seconds < 3.0 &&
+    return !r->timed_out && r->cpu_seconds > 0.9 && r->cpu_seconds < 3.0 &&
            (r->signal == SIGXCPU || r->signal == SIGKILL);
 }
 
