@@ -4,8 +4,9 @@
 
 #include "scene/bvh/bvh_internal.h"
 
-// Rounding moves the ends of the interval in which a ray is inside a box by a few units in the last place (Ize 2013). So a ray enters
-// by so many earlier. The bits of floats that are not negative, taken for whole numbers, are in the floats' order, and quicker to reckon with.
+// Rounding moves the ends of the interval in which a ray is inside a box by a few units in the last place (Ize 2013). So a
+// ray enters by so many earlier. The bits of floats that are not negative, taken for whole numbers, are in the floats'
+// order, and quicker to reckon with.
 #define BOX_SLACK 17
 
 // A ray prepared for the boxes.
