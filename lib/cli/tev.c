@@ -26,7 +26,8 @@ static int connect_to(const char *host, const char *port, int *problem)
     struct addrinfo hints = {.ai_socktype = SOCK_STREAM}, *found = NULL;
     int socket_of = -1;
     *problem = 0;
-    if (getaddrinfo(host, port, &hints, &found) != 0)
+    // No host means this machine: a bare container knows localhost by no name.
+    if (getaddrinfo(strcmp(host, "localhost") == 0 ? NULL : host, port, &hints, &found) != 0)
         return -1;
     for (struct addrinfo *at = found; at && socket_of < 0; at = at->ai_next) {
         struct timeval most = {.tv_sec = MOST_SECONDS};

@@ -5,7 +5,7 @@ import socket
 import struct
 import sys
 
-server = socket.create_server(("localhost", 0))
+server = socket.create_server(("127.0.0.1", 0))
 server.settimeout(60)
 with open(sys.argv[1] + ".new", "w") as file:
     file.write(str(server.getsockname()[1]))
