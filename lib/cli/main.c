@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "base/array.h"
 #include "base/file.h"
 
 #include <stdio.h>
@@ -43,6 +44,7 @@ static int all_printed(int code)
 int main(int count, char **arguments)
 {
     file_clean_up_when_ended();
+    array_keep_memory();
     if (count < 2) {
         print_help(stderr);
         return EXIT_USAGE;

@@ -1,4 +1,5 @@
 // The photon pass and the photon map on this machine, in numbers.
+#include "base/array.h"
 #include "cli/cli.h"
 
 #include <stdio.h>
@@ -127,6 +128,7 @@ static int parse(int count, char **arguments, Arguments *a)
 
 int main(int count, char **arguments)
 {
+    array_keep_memory(); // as photonlab does
     Arguments a;
     int wrong = parse(count, arguments, &a);
     if (wrong)
