@@ -5,6 +5,8 @@
 #include <openexr.h>
 #include <string.h>
 
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers" // OpenEXR's own initializers name the first field alone
+
 typedef struct {
     const char *name;
     Error *error;

@@ -93,7 +93,7 @@ static void check_ray(const Bvh *bvh, const Ray *ray, float t_min)
         Vec3 same = vec3_along(vec3_along(flat->origin, flat->edge_u, hit.u), flat->edge_v, hit.v);
         assert_true(vec3_length(vec3_sub(there, same)) < 1e-3f);
     } else {
-        assert_in_range(hit.primitive, shapes.flat_count, shapes.flat_count + shapes.sphere_count - 1);
+        assert_true(hit.primitive >= shapes.flat_count && hit.primitive < shapes.flat_count + shapes.sphere_count);
         const Sphere *sphere = &shapes.spheres[hit.primitive - shapes.flat_count];
         assert_true(fabsf(vec3_length(vec3_sub(there, sphere->centre)) - sphere->radius) < 1e-3f);
     }
