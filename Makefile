@@ -34,10 +34,12 @@ SYSTEM := $(shell uname -s)
 
 # Same bytes from every compiler: no fused multiply-add, no fast-math. errno of sqrtf is not wanted.
 OPTIMISE ?= -O3
-STANDARD  = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 $(OWN_NAMES) -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno $(FLOATS)
+STANDARD  = -std=c99 -D_DEFAULT_SOURCE -D_XOPEN_SOURCE=700 $(OWN_NAMES) -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno $(FLOATS) $(BY_CLANG)
 # Floats are computed as floats: gcc would take doubles on s390x, and an old coprocessor on i386.
 FLOATS := $(shell for by in "" -fexcess-precision=fast "-msse2 -mfpmath=sse"; do \
               [ "`echo __FLT_EVAL_METHOD__ | $(CC) -std=c99 $$by -E -P -x c - 2>/dev/null`" != 0 ] || { echo "$$by"; break; }; done)
+# Newer C libraries' strstr and its like are C11's _Generic where GNU's names are asked for; clang tells of it, though it is not ours.
+BY_CLANG := $(if $(findstring clang,$(shell $(CC) --version 2>/dev/null)),-Wno-c11-extensions)
 PACKAGES  = libpng yaml-0.1
 PKG      := $(shell command -v pkg-config 2>/dev/null)
 PKG_CFLAGS := $(if $(PKG),$(shell pkg-config --cflags $(PACKAGES) 2>/dev/null))

@@ -44,7 +44,7 @@ check-compilers:
 	@$(MAKE) BUILD=$(GCC_BUILD) CC=gcc CHECK=1 all $(TEST_SOURCES:tests/unit/%.c=$(GCC_BUILD)/tests/%)
 	@$(MAKE) BUILD=$(BUILD)/clang CC=clang OPTIMISE=-O2 EXTRA="-Werror -g0" HAVE_PREVIEW= all
 	$(Q)printf '%s\n' $(TEST_SOURCES) $(PREVIEW_SOURCES) $(call find_c,$(addprefix tests/,fuzz judge steps class)) | \
-	    xargs -n 8 -P $(shell getconf _NPROCESSORS_ONLN) clang $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib -Itests $(PKG_CFLAGS)
+	    xargs -n 8 -P $(shell getconf _NPROCESSORS_ONLN) clang $(STANDARD) -Wno-c11-extensions $(OPENMP) -Werror -fsyntax-only -Ilib -Itests $(PKG_CFLAGS)
 	$(Q)gcc $(STANDARD) $(OPENMP) -Werror -fsyntax-only -Ilib -Itests $(PKG_CFLAGS) $(wildcard tests/fuzz/*.c)
 check-bytes: check-compilers meshes
 	@bash tests/same_bytes.sh $(GCC_BUILD)/photonlab $(BUILD)/clang/photonlab
