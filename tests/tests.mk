@@ -135,7 +135,7 @@ check-scatter: judge
 	@$(JUDGE_RUN) --code solutions --first-round --scatters 300 | awk '{ all++; wrong += $$2 != "pass" } \
 	    END { printf "right code: %d of %d scatters differ in the first round\n", wrong, all }'
 
-##check long check-pictures  which mistakes pictures show, and false verdicts (half an hour)
+##check long check-pictures  which mistakes pictures show, and false verdicts (two hours of two cores; stage 4 the most)
 check-pictures: all $(PROBE) $(BUILD)/calibrate
 	@sh tests/judge/picture_test.sh $(BUILD)
 

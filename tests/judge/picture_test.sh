@@ -31,7 +31,7 @@ failed_groups() {
 }
 
 echo "Right code, $right groups a set:"
-for set in 1 2_source 2_phong 3 4 5_pass 5_pixel; do
+for set in 1 2_source 2_phong 3 4 5_pass 5_pixel 6; do
     [ -z "$only" ] || [ "$only" = "$set" ] || continue
     [ "$right" -gt 0 ] || continue
     "$build/calibrate" --build "$build" --measure "$right" "$set" >"$work/line"
