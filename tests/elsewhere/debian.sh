@@ -9,7 +9,11 @@ cd "$1/debian"
 [ "$(id -u)" = 0 ] && command -v debootstrap >/dev/null || { echo "this needs root and debootstrap: sudo make setup check-debian"; exit 1; }
 umask 022
 if ! [ -f "$suite.tar" ]; then
-    debootstrap --variant=minbase "$suite" "$suite.new" http://deb.debian.org/debian >"$suite.log" || { tail -5 "$suite.log"; exit 1; }
+    from=http://deb.debian.org/debian components=main
+    # Ubuntu's suites, of which Debian's debootstrap may be older than this one; they are all made in one way.
+    [ "$suite" != noble ] || { from="http://archive.ubuntu.com/ubuntu /usr/share/debootstrap/scripts/gutsy" components=main,universe; }
+    # shellcheck disable=SC2086  # falls apart into words
+    debootstrap --variant=minbase --components="$components" "$suite" "$suite.new" $from >"$suite.log" || { tail -5 "$suite.log"; exit 1; }
     tar -C "$suite.new" -cf "$suite.tar.new" . && mv "$suite.tar.new" "$suite.tar" && rm -rf "$suite.new"
 fi
 rm -rf "$suite" && mkdir "$suite" && tar -C "$suite" -xf "$suite.tar"

@@ -82,8 +82,8 @@ static void limit(Resource what, double soft, double hard)
 
 static void set_limits(SandboxKind kind, const SandboxRun *run)
 {
-    double megabyte = 1024.0 * 1024.0, seconds = run->cpu_seconds < 1.0 ? 1.0 : run->cpu_seconds;
-    limit(RLIMIT_CPU, seconds + 0.5, seconds + 1.5); // the first can be caught, and tells where; the second cannot
+    double megabyte = 1024.0 * 1024.0, seconds = sandbox_seconds(run);
+    limit(RLIMIT_CPU, seconds + 1.5, seconds + 2.5); // sandbox_end_spent is earlier, where it can
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_STACK, 8 * megabyte, 8 * megabyte);
     limit(RLIMIT_NOFILE, 256, 256);

@@ -37,11 +37,20 @@ char *sandbox_find_program(const char *name);
 // Seconds, from some time on.
 double sandbox_now(void);
 
-// A program at work: since when, when to look at it again, and what processor time it had had at the last look.
+// A program at work: since when, when to look at it again, what processor time it had had at the last look, and when one last
+// looked whether that is spent.
 typedef struct {
-    double begin, deadline; // s
-    unsigned long ticks;
+    double begin, deadline, spent, looked; // s
 } Waiting;
+
+// s of processor time for each process.
+static inline double sandbox_seconds(const SandboxRun *run)
+{
+    return run->cpu_seconds < 1.0 ? 1.0 : run->cpu_seconds;
+}
+
+// Ends each process that has had them: by SIGXCPU, and a second later by SIGKILL. Where it cannot, the kernel does, a second later.
+void sandbox_end_spent(pid_t child, const SandboxRun *run, Waiting *waiting);
 
 // Has it waited for wall_seconds, without any processor time? Or taken ten times as long.
 bool sandbox_waits_too_long(pid_t child, const SandboxRun *run, Waiting *waiting);

@@ -75,7 +75,7 @@ static void read_state(SandboxResult *result)
 void sandbox_watch(pid_t child, int out, const SandboxRun *run, SandboxResult *result)
 {
     double begin = sandbox_now();
-    Waiting waiting = {begin, begin + run->wall_seconds + GRACE, 0};
+    Waiting waiting = {begin, begin + run->wall_seconds + GRACE, 0.0, 0.0};
     size_t used = 0;
     bool more = true, ended = false;
     int state = 0;
@@ -84,6 +84,7 @@ void sandbox_watch(pid_t child, int out, const SandboxRun *run, SandboxResult *r
         struct pollfd wait = {more ? out : -1, POLLIN, 0};
         if (poll(&wait, 1, more ? 20 : 2) > 0)
             more = read_some(out, result, &used);
+        sandbox_end_spent(child, run, &waiting);
         siginfo_t info = {.si_pid = 0};
         // WNOWAIT: not reaped yet. Until then its number, which is its group's, too, is given to nobody else, and the kill
         // below ends no stranger.
