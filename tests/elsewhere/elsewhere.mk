@@ -34,7 +34,7 @@ check-editor: judge
 check-devcontainer:
 	@bash tests/elsewhere/devcontainer.sh $(BUILD)
 
-##check long check-debian  make setup demo and make setup check in a bare container: SUITE=trixie [TARGETS=check-class] (a quarter of an hour)
+##check long check-debian  make setup demo and make setup check in a bare container: SUITE=trixie, or bookworm, sid, noble [TARGETS=check-class] (a quarter of an hour)
 SUITE ?= trixie
 check-debian:
 	@TARGETS="$(TARGETS)" bash tests/elsewhere/debian.sh $(BUILD) $(call quoted,$(SUITE))
