@@ -12,7 +12,7 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 endif
 
 # Whatever the person's language, numbers have a point and capitals are those of English. Letters beyond ASCII stay letters.
-export LC_ALL := $(or $(firstword $(filter C.UTF-8 C.utf8,$(shell locale -a 2>/dev/null))),C)
+override export LC_ALL := $(or $(firstword $(filter C.UTF-8 C.utf8,$(shell locale -a 2>/dev/null))),C)
 
 # On a machine that has no compiler yet, what the rest of this file finds out would be found out too early: after `setup` a
 # second make looks again. What else is asked for says what has to be installed.

@@ -212,11 +212,15 @@ check_table() {
 
 # A decimal comma, and an i whose capital is another letter: neither makes a difference.
 check_language() {
+    local language
     mkdir -p "$work/language" && (cd "$solved/2_glossy_lobe" && zip -q "$work/language/WILLI.ZIP" 2.2*)
-    localedef -i tr_TR -f UTF-8 "$work/tr_TR.UTF-8" 2>/dev/null ||
-        { echo "○ Turkish is not tried: no such locale (on Debian: apt-get install locales)"; return; }
-    LOCPATH=$work LC_ALL=tr_TR.UTF-8 make --no-print-directory -C "$root" BUILD="$build" DIR="$work/language" OUT="$work/turkish" class >"$work/turkish-said" 2>&1
-    in_table turkish WILLI '^WILLI,graded,5,100,' "in Turkish: a class gets its points"
+    for language in de_DE tr_TR; do
+        localedef -i $language -f UTF-8 "$work/$language.UTF-8" 2>/dev/null ||
+            { echo "○ $language is not tried: no such locale (on Debian: apt-get install locales)"; continue; }
+        LOCPATH=$work LC_ALL=$language.UTF-8 make --no-print-directory -C "$root" LC_ALL=$language.UTF-8 BUILD="$build" DIR="$work/language" \
+            OUT="$work/$language" class >"$work/$language-said" 2>&1
+        in_table $language WILLI '^WILLI,graded,5,100,' "in $language: a class gets its points"
+    done
 }
 
 case ${1:-all} in
