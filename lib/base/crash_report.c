@@ -108,9 +108,13 @@ bool crash_take_inner(InnerPlace *inner, const CrashPlace *place, const char *fo
         return false;
     inner->calls_itself = inner->calls_itself || (inner->function && place->function == inner->function);
     inner->function = inner->function ? inner->function : place->function;
-    if (inner->object[0])
+    if (inner->object[0]) {
+        if (!inner->caller && strcmp(place->object, inner->object) == 0)
+            inner->caller = place->offset;
         return false;
+    }
     inner->offset = place->offset;
+    inner->caller = 0;
     strncpy(inner->object, place->object, sizeof inner->object - 1);
     strncpy(inner->symbol, place->symbol ? place->symbol : "", sizeof inner->symbol - 1);
     return true;

@@ -90,14 +90,15 @@ static void watch(void)
 // "step 1.3, 1.3_scatter_diffuse.c:14: scatter_diffuse"
 static void name_place(char *text, size_t size)
 {
-    char offset[32], id[8], answer[4096] = "";
+    char offset[32], caller[32], id[8], answer[4096] = "";
     size_t used = 0;
     const char *slash = strrchr(fall.inner.object, '/'), *name = slash ? slash + 1 : fall.inner.object;
-    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", fall.inner.object, offset, NULL};
+    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", fall.inner.object, offset, caller, NULL};
     SourcePlace places[MOST_PLACES];
     Process process;
     snprintf(id, sizeof id, "%.*s", (int)strcspn(name, "_"), name);
     snprintf(offset, sizeof offset, "0x%llx", fall.inner.offset);
+    snprintf(caller, sizeof caller, "0x%llx", fall.inner.caller);
     int count = 0;
     if (process_start(&process, arguments, PRINTS_OUTPUT)) {
         int status;

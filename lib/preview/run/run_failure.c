@@ -119,9 +119,10 @@ static void describe_failure(const Run *run, char *text, size_t size)
 
 static bool look_up(Run *run)
 {
-    char offset[32];
+    char offset[32], caller[32];
     snprintf(offset, sizeof offset, "0x%llx", run->crash.inner.offset);
-    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", run->crash.inner.object, offset, NULL};
+    snprintf(caller, sizeof caller, "0x%llx", run->crash.inner.caller);
+    const char *const arguments[] = {"addr2line", "-f", "-i", "-e", run->crash.inner.object, offset, caller, NULL};
     run->look_until = clock_seconds() + LONGEST_LOOK_UP;
     return run->crash.inner.object[0] && process_start(&run->looker, arguments, PRINTS_OUTPUT);
 }

@@ -1,5 +1,6 @@
 // Every way in which a student's step can fail: the run fails with its sentence, and the next one works.
 #include "unit/preview/preview_helpers.h"
+#include "base/crash_report.h"
 
 // The fault stands in line 2 of its file, or behind the other headers.
 static const Fault faults[] = {
@@ -94,6 +95,19 @@ TEST(endless_loops_are_ended)
     fails("endless", "1.5_trace_photon.c" ENDLESS);
     fails("flood", "1.5_trace_photon.c" ENDLESS);
     fails("asleep", "1.5_trace_photon.c@3: trace_photon: ran for 0.15 s without finishing a photon; an endless loop?");
+}
+
+// Where a step calls the library, it may be met in the stub for that, which belongs to no line: the next place is the call's.
+TEST(a_call_has_a_place_behind_its_stub)
+{
+    const CrashPlace stub = {"/steps/1.5_trace_photon.so", NULL, NULL, 0x20}, library = {"/lib/library.so", "photon_fly", NULL, 0x30},
+                     call = {"/steps/1.5_trace_photon.so", "trace_photon", NULL, 0x140};
+    InnerPlace inner = {"", "", NULL, 0, 7, false};
+    assert_true(crash_take_inner(&inner, &stub, "/steps/"));
+    assert_int_equal(inner.caller, 0);
+    assert_true(!crash_take_inner(&inner, &library, "/steps/") && !crash_take_inner(&inner, &call, "/steps/"));
+    assert_int_equal(inner.offset, 0x20);
+    assert_int_equal(inner.caller, 0x140);
 }
 
 static int set_up(void **state)
