@@ -30,8 +30,8 @@ static inline void *array_allocate(size_t bytes)
     return memory;
 }
 
-// For the start of a program: what it gives back stays with it, up to so much. The system would clear it anew for each of many
-// photon passes, which is a tenth of their time.
+// For a program of many photon passes, at its start: what it gives back stays with it, up to so much. The system would clear it
+// anew for each of them, which is a tenth of a pass's time. Not for the preview, which stays open.
 static inline void array_keep_memory(void)
 {
 #ifdef __GLIBC__

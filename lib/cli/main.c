@@ -1,5 +1,4 @@
 #include "cli/cli.h"
-#include "base/array.h"
 #include "base/file.h"
 
 #include <stdio.h>
@@ -44,7 +43,6 @@ static int all_printed(int code)
 int main(int count, char **arguments)
 {
     file_clean_up_when_ended();
-    array_keep_memory();
     if (count < 2) {
         print_help(stderr);
         return EXIT_USAGE;

@@ -1,6 +1,7 @@
 #include "cli/guard.h"
 #include "cli/render_passes.h"
 #include "cli/tev.h"
+#include "base/array.h"
 #include "base/file.h"
 
 #include <stdio.h>
@@ -219,6 +220,7 @@ int command_render(int count, char **arguments)
     int wrong = parse(count, arguments, &a);
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
+    array_keep_memory();
     guard_begin(a.code, a.options.threads);
     Error error = {""};
     Scene *scene = file_may_write(a.out, &error) ? scene_load(a.scene, &error) : NULL;

@@ -128,7 +128,7 @@ static int parse(int count, char **arguments, Arguments *a)
 
 int main(int count, char **arguments)
 {
-    array_keep_memory(); // as photonlab does
+    array_keep_memory(); // as `photonlab render` does
     Arguments a;
     int wrong = parse(count, arguments, &a);
     if (wrong)

@@ -9,8 +9,9 @@
 #include <string.h>
 #include <time.h>
 
-#define PATIENCE  10   // times the limit that a busy machine may take
-#define LOOK_EACH 0.01 // s
+#define PATIENCE   10   // times the limit that a busy machine may take
+#define LOOK_EACH  0.01 // s
+#define LEAST_WORK 0.01 // s of a processor's time between two looks, or it waits
 
 double sandbox_now(void)
 {
@@ -76,5 +77,5 @@ bool sandbox_waits_too_long(pid_t child, const SandboxRun *run, Waiting *waiting
     waiting->spent = 0.0;
     each_below(child, add_spent, &waiting->spent);
     waiting->deadline += run->wall_seconds;
-    return waiting->spent < before + LOOK_EACH || sandbox_now() > waiting->begin + PATIENCE * run->wall_seconds;
+    return waiting->spent < before + LEAST_WORK || sandbox_now() > waiting->begin + PATIENCE * run->wall_seconds;
 }
