@@ -115,8 +115,10 @@ static int refuse_flag(const char *command, const Flag *flag, const char *text)
 int command_line_parse(const CommandLine *line, int count, char **arguments, const char **files)
 {
     struct option options[MOST_FLAGS + 2] = {{"help", no_argument, NULL, 'h'}};
-    for (int i = 0; i < line->flag_count && i < MOST_FLAGS; i++) {
+    int out = -1; // which is -o
+    for (int i = 0; i < line->flag_count && i < MOST_FLAGS && line->flags[i].name; i++) {
         const Flag *flag = &line->flags[i];
+        out = strcmp(flag->name, "o") == 0 ? i : out;
         options[i + 1] = (struct option){
             flag->name, flag->kind == FLAG_PRESENT || flag->kind == FLAG_ON ? no_argument : required_argument, NULL,
             256 + i};
@@ -130,9 +132,7 @@ int command_line_parse(const CommandLine *line, int count, char **arguments, con
         }
         if (found == '?')
             return report_usage(line->command, "%s: no such flag, or its value is missing", arguments[optind - 1]);
-        int i = found - 256;
-        for (int j = 0; found == 'o' && j < line->flag_count; j++)
-            i = strcmp(line->flags[j].name, "o") == 0 ? j : i;
+        int i = found == 'o' ? out : found - 256;
         if (i < 0)
             return report_usage(line->command, "writes no file; -o has no meaning here");
         if (!take_flag(&line->flags[i], optarg))

@@ -40,7 +40,7 @@ typedef struct {
 } CommandLine;
 
 #define FLAG_COUNT(flags) (int)(sizeof(flags) / sizeof *(flags))
-#define MOST_FLAGS        64
+#define MOST_FLAGS        64 // flag_count may be more than there are: a flag without a name ends them
 
 // 0: all values are filled in, file[0 …] point to the files' names (those not given stay). Otherwise the message is
 // printed and this is the exit code, or HELP_SHOWN.

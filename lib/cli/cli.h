@@ -1,5 +1,4 @@
-// The program's subcommands. Each takes its own arguments (arguments[0] is its name) and returns the exit code: 0
-// done, 1 input or output error, 2 wrong usage.
+// The program's subcommands, and what they share.
 #ifndef PHOTONLAB_CLI_CLI_H
 #define PHOTONLAB_CLI_CLI_H
 
@@ -11,14 +10,16 @@
 
 #define EXIT_INPUT 1
 
-int command_render(int count, char **arguments);
-int command_merge(int count, char **arguments);
-int command_photons(int count, char **arguments);
-int command_diff(int count, char **arguments);
-int command_frame(int count, char **arguments);
-int command_steps(int count, char **arguments);
-int command_preview(int count, char **arguments);
-int command_export(int count, char **arguments);
+typedef struct {
+    const char *words;     // what `photonlab help` says of it
+    CommandLine line;      // its command: "photonlab NAME"
+    const char **files;    // where their names go
+    bool (*prepare)(void); // before its arguments are read; may be NULL. False: it cannot be had, as is said by then
+    int (*run)(
+        void); // with what was read. The exit code: 0 done, EXIT_INPUT input or output error, EXIT_USAGE wrong usage
+} Command;
+extern const Command command_render, command_preview, command_merge, command_photons, command_diff, command_export,
+    command_frame, command_steps;
 
 // Prints the error to standard error and returns EXIT_INPUT.
 int report_error(const Error *error);

@@ -14,39 +14,16 @@ static const char help[] =
     "  --blocks N           compare means over N×N pixels: blotches, not grain; a picture N times smaller has them for pixels\n"
     "  --json               one line of JSON instead\n";
 
-typedef struct {
-    const char *files[2]; // picture and reference
-    const char *out;
-    ImageMask mask;
-    float scale;
-    int blocks;
-    bool json;
-} Arguments;
-
-// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
-static int parse(int count, char **arguments, Arguments *a)
-{
-    *a = (Arguments){.out = NULL};
-    const char *mask = NULL;
-    const Flag flags[] = {
-        {"o", FLAG_TEXT, &a->out, 0, 0},        {"scale", FLAG_FLOAT, &a->scale, 0, SCENE_LARGEST_NUMBER},
-        {"mask", FLAG_TEXT, &mask, 0, 0},       {"blocks", FLAG_INT, &a->blocks, 1, MOST_SIDE},
-        {"json", FLAG_PRESENT, &a->json, 0, 0},
-    };
-    int wrong =
-        command_line_parse(&(CommandLine){"photonlab diff", help, "two pictures", flags, FLAG_COUNT(flags), 2, 2},
-                           count, arguments, a->files);
-    if (wrong)
-        return wrong;
-    ImageMask *m = &a->mask;
-    char after;
-    if (mask && sscanf(mask, "%d,%d,%d,%d%c", &m->x0, &m->y0, &m->x1, &m->y1, &after) != 4)
-        return report_usage("photonlab diff", "--mask %s: expected four whole numbers X0,Y0,X1,Y1", mask);
-    Error error = {""};
-    if (a->out && !image_path_is_known(a->out, &error))
-        return report_usage("photonlab diff", "%s", error.message);
-    return 0;
-}
+static const char *files[2]; // picture and reference
+static const char *out, *mask_text;
+static float scale;
+static int blocks;
+static bool json;
+static const Flag flags[] = {
+    {"o", FLAG_TEXT, &out, 0, 0},          {"scale", FLAG_FLOAT, &scale, 0, SCENE_LARGEST_NUMBER},
+    {"mask", FLAG_TEXT, &mask_text, 0, 0}, {"blocks", FLAG_INT, &blocks, 1, MOST_SIDE},
+    {"json", FLAG_PRESENT, &json, 0, 0},
+};
 
 static void print_json(const ImageDifference *d)
 {
@@ -69,53 +46,59 @@ static void print_table(const ImageDifference *d)
 // The picture in blocks takes its place.
 static bool shrink(Image *image, int side, ImageMask mask, Error *error)
 {
-    Image blocks = {0, 0, NULL};
-    bool ok = image_blocks(image, side, mask, &blocks, error);
+    Image means = {0, 0, NULL};
+    bool ok = image_blocks(image, side, mask, &means, error);
     image_free(image);
-    *image = blocks;
+    *image = means;
     return ok;
 }
 
 // A picture that is as large as the reference in blocks has them for pixels.
-static bool shrink_both(const Arguments *a, Image *image, Image *reference, Error *error)
+static bool shrink_both(Image *image, Image *reference, ImageMask mask, Error *error)
 {
-    int side = a->blocks;
-    ImageMask mask = a->mask;
-    if (image->width * side == reference->width && image->height * side == reference->height) {
-        mask = (ImageMask){mask.x0 / side, mask.y0 / side, mask.x1 / side, mask.y1 / side};
-        side = 1;
-    }
-    return shrink(image, side, mask, error) && shrink(reference, a->blocks, a->mask, error);
+    bool shrunk = image->width * blocks == reference->width && image->height * blocks == reference->height;
+    int side = shrunk ? blocks : 1;
+    ImageMask own = {mask.x0 / side, mask.y0 / side, mask.x1 / side, mask.y1 / side};
+    return shrink(image, blocks / side, own, error) && shrink(reference, blocks, mask, error);
 }
 
-static bool compare(const Arguments *a, Image *image, Image *reference, Image *picture, Error *error)
+static bool compare(Image *image, Image *reference, ImageMask mask, Image *picture, Error *error)
 {
     ImageDifference difference;
-    if (!image_read(image, a->files[0], error) || !image_read(reference, a->files[1], error) ||
-        (a->blocks && !shrink_both(a, image, reference, error)) ||
-        !image_difference(image, reference, a->blocks ? (ImageMask){0, 0, 0, 0} : a->mask, &difference, error))
+    if (!image_read(image, files[0], error) || !image_read(reference, files[1], error) ||
+        (blocks && !shrink_both(image, reference, mask, error)) ||
+        !image_difference(image, reference, blocks ? (ImageMask){0, 0, 0, 0} : mask, &difference, error))
         return false;
-    if (a->out &&
-        (!image_difference_picture(image, reference, a->scale, picture, error) || !image_write(picture, a->out, error)))
+    if (out &&
+        (!image_difference_picture(image, reference, scale, picture, error) || !image_write(picture, out, error)))
         return false;
-    if (a->json)
+    if (json)
         print_json(&difference);
     else
         print_table(&difference);
     return true;
 }
 
-int command_diff(int count, char **arguments)
+static int run(void)
 {
-    Arguments a;
-    int wrong = parse(count, arguments, &a);
-    if (wrong)
-        return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
     Image image = {0, 0, NULL}, reference = {0, 0, NULL}, picture = {0, 0, NULL};
-    bool ok = compare(&a, &image, &reference, &picture, &error);
+    ImageMask mask = {0, 0, 0, 0};
+    char after;
+    if (mask_text && sscanf(mask_text, "%d,%d,%d,%d%c", &mask.x0, &mask.y0, &mask.x1, &mask.y1, &after) != 4)
+        return report_usage("photonlab diff", "--mask %s: expected four whole numbers X0,Y0,X1,Y1", mask_text);
+    if (out && !image_path_is_known(out, &error))
+        return report_usage("photonlab diff", "%s", error.message);
+    bool ok = compare(&image, &reference, mask, &picture, &error);
     image_free(&image);
     image_free(&reference);
     image_free(&picture);
     return ok ? 0 : report_error(&error);
 }
+
+const Command command_diff = {
+    .words = "compare two pictures",
+    .line = {"photonlab diff", help, "two pictures", flags, FLAG_COUNT(flags), 2, 2},
+    .files = files,
+    .run = run,
+};

@@ -16,29 +16,26 @@ static const char help[] =
     "  --depth N     bounces after which a path is cut\n"
     "  --quiet       nothing is told\n";
 
+static const char *file, *out;
+static int size[2], samples, depth; // 0: as the scene says
+static bool quiet;
+static const Flag flags[] = {
+    {"o", FLAG_TEXT, &out, 0, 0},
+    {"size", FLAG_SIZE, size, 1, MOST_SIDE},
+    {"samples", FLAG_INT, &samples, 1, MOST_SAMPLES},
+    {"depth", FLAG_INT, &depth, 1, MOST_DEPTH},
+    {"quiet", FLAG_PRESENT, &quiet, 0, 0},
+};
+
 static void print_note(void *user, const char *words)
 {
-    if (!*(bool *)user)
+    (void)user;
+    if (!quiet)
         fprintf(stderr, "  %s\n", words);
 }
 
-int command_export(int count, char **arguments)
+static int run(void)
 {
-    const char *file, *out = NULL;
-    int size[2] = {0, 0}, samples = 0, depth = 0;
-    bool quiet = false;
-    const Flag flags[] = {
-        {"o", FLAG_TEXT, &out, 0, 0},
-        {"size", FLAG_SIZE, size, 1, MOST_SIDE},
-        {"samples", FLAG_INT, &samples, 1, MOST_SAMPLES},
-        {"depth", FLAG_INT, &depth, 1, MOST_DEPTH},
-        {"quiet", FLAG_PRESENT, &quiet, 0, 0},
-    };
-    int wrong =
-        command_line_parse(&(CommandLine){"photonlab export", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
-                           count, arguments, &file);
-    if (wrong)
-        return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
     if (!out)
         return report_usage("photonlab export", "say where to write the scene: -o OUT.xml");
@@ -52,7 +49,14 @@ int command_export(int count, char **arguments)
                           .height = size[1] ? size[1] : s->height,
                           .samples = samples ? samples : s->samples,
                           .depth = depth ? depth : s->depth};
-    bool ok = export_write(scene, s, out, (ExportNotes){print_note, &quiet}, &error);
+    bool ok = export_write(scene, s, out, (ExportNotes){print_note, NULL}, &error);
     scene_free(scene);
     return ok ? 0 : report_error(&error);
 }
+
+const Command command_export = {
+    .words = "write a scene for Mitsuba 3 or pbrt-v4",
+    .line = {"photonlab export", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
+    .files = &file,
+    .run = run,
+};

@@ -14,27 +14,9 @@ static const char help[] =
     "  --title WORDS  a line in large letters\n"
     "  --text WORDS   lines in small ones; \\n begins another\n";
 
-typedef struct {
-    const char *pictures[2];
-    const char *out, *title, *text;
-} Arguments;
-
-// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
-static int parse(int count, char **arguments, Arguments *a)
-{
-    *a = (Arguments){.title = "", .text = ""};
-    const Flag flags[] = {
-        {"o", FLAG_TEXT, &a->out, 0, 0}, {"title", FLAG_TEXT, &a->title, 0, 0}, {"text", FLAG_TEXT, &a->text, 0, 0}};
-    int wrong = command_line_parse(
-        &(CommandLine){"photonlab frame", help, "one picture or two", flags, FLAG_COUNT(flags), 1, 2}, count, arguments,
-        a->pictures);
-    if (wrong)
-        return wrong;
-    Error error = {""};
-    if (!a->out || !image_path_is_known(a->out, &error))
-        return report_usage("photonlab frame", "%s", a->out ? error.message : "say where to: -o OUT.png");
-    return 0;
-}
+static const char *files[2], *out, *title = "", *text = "";
+static const Flag flags[] = {
+    {"o", FLAG_TEXT, &out, 0, 0}, {"title", FLAG_TEXT, &title, 0, 0}, {"text", FLAG_TEXT, &text, 0, 0}};
 
 static void fill(Image *image, int x0, int y0, int x1, int y1, Colour colour)
 {
@@ -63,15 +45,15 @@ static void hang(Image *wall, const Image *picture, int x, int y)
 }
 
 // `\n` as two characters, as a shell passes it, begins a new line. Returns how many lines there are.
-static int break_lines(const char *text, char *lines, size_t size)
+static int break_lines(const char *words, char *lines, size_t size)
 {
-    int count = *text != '\0';
+    int count = *words != '\0';
     size_t used = 0;
-    for (; *text && used + 1 < size; text++) {
-        bool breaks = text[0] == '\n' || (text[0] == '\\' && text[1] == 'n');
+    for (; *words && used + 1 < size; words++) {
+        bool breaks = words[0] == '\n' || (words[0] == '\\' && words[1] == 'n');
         count += breaks;
-        lines[used++] = breaks ? '\n' : *text;
-        text += breaks && *text == '\\';
+        lines[used++] = breaks ? '\n' : *words;
+        words += breaks && *words == '\\';
     }
     lines[used] = '\0';
     return count;
@@ -83,15 +65,15 @@ static float scale_of(const char *words, int width, float most)
     return fminf(most, 0.98f * (float)width / fmaxf(canvas_text_width(1.0f, words), 1.0f));
 }
 
-static bool make_frame(const Arguments *a, const Image pictures[2], Image *wall, Error *error)
+static bool make_frame(const Image pictures[2], Image *wall, Error *error)
 {
     int side = pictures[0].height / 12 + 4, gap = pictures[1].pixels ? side / 2 : 0;
     int inner = pictures[0].width + gap + pictures[1].width;
     char lines[2000];
-    int count = break_lines(a->text, lines, sizeof lines);
-    float large = scale_of(a->title, inner, 1.0f + (float)inner / 500.0f);
+    int count = break_lines(text, lines, sizeof lines);
+    float large = scale_of(title, inner, 1.0f + (float)inner / 500.0f);
     float small = scale_of(lines, inner, 0.5f + (float)inner / 1000.0f);
-    int title = *a->title ? (int)(1.3f * LINE_HEIGHT * large) : 0, words = title + (int)(LINE_HEIGHT * small) * count;
+    int above = *title ? (int)(1.3f * LINE_HEIGHT * large) : 0, words = above + (int)(LINE_HEIGHT * small) * count;
     if (!image_create(wall, inner + 2 * side, pictures[0].height + 2 * side + words + (words ? side / 2 : 0), error))
         return false;
     fill(wall, 0, 0, wall->width, wall->height, colour(0.012f, 0.012f, 0.016f));
@@ -99,27 +81,31 @@ static bool make_frame(const Arguments *a, const Image pictures[2], Image *wall,
     if (gap)
         hang(wall, &pictures[1], side + pictures[0].width + gap, side);
     int y = side + pictures[0].height + side / 2 + 4;
-    write_words(wall, side, y, large, a->title);
-    write_words(wall, side, y + title, small, lines);
+    write_words(wall, side, y, large, title);
+    write_words(wall, side, y + above, small, lines);
     return true;
 }
 
-int command_frame(int count, char **arguments)
+static int run(void)
 {
-    Arguments a;
-    int wrong = parse(count, arguments, &a);
-    if (wrong)
-        return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
     Image pictures[2] = {{0}}, wall = {0};
-    bool ok = image_read(&pictures[0], a.pictures[0], &error) &&
-              (!a.pictures[1] || image_read(&pictures[1], a.pictures[1], &error));
-    if (ok && a.pictures[1] && pictures[0].height != pictures[1].height)
-        ok = error_set(&error, "%s: %d pixels high, where %s has %d", a.pictures[1], pictures[1].height, a.pictures[0],
+    if (!out || !image_path_is_known(out, &error))
+        return report_usage("photonlab frame", "%s", out ? error.message : "say where to: -o OUT.png");
+    bool ok = image_read(&pictures[0], files[0], &error) && (!files[1] || image_read(&pictures[1], files[1], &error));
+    if (ok && files[1] && pictures[0].height != pictures[1].height)
+        ok = error_set(&error, "%s: %d pixels high, where %s has %d", files[1], pictures[1].height, files[0],
                        pictures[0].height);
-    ok = ok && make_frame(&a, pictures, &wall, &error) && image_write(&wall, a.out, &error);
+    ok = ok && make_frame(pictures, &wall, &error) && image_write(&wall, out, &error);
     image_free(&pictures[0]);
     image_free(&pictures[1]);
     image_free(&wall);
     return ok ? 0 : report_error(&error);
 }
+
+const Command command_frame = {
+    .words = "a frame with words about a picture",
+    .line = {"photonlab frame", help, "one picture or two", flags, FLAG_COUNT(flags), 1, 2},
+    .files = files,
+    .run = run,
+};

@@ -4,30 +4,21 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef struct {
-    const char *name;
-    int (*run)(int count, char **arguments);
-    const char *help;
-} Command;
-
-static const Command commands[] = {
-    {"render", command_render, "render a scene to a picture"},
-    {"preview", command_preview, "a window on the photons, live; or a snapshot of it"},
-    {"merge", command_merge, "one picture of passes that several machines have rendered"},
-    {"photons", command_photons, "write the stored photons as a point cloud"},
-    {"diff", command_diff, "compare two pictures"},
-    {"export", command_export, "write a scene for Mitsuba 3 or pbrt-v4"},
-    {"frame", command_frame, "a frame with words about a picture"},
-    {"steps", command_steps, "list the steps to write, and hints for them"},
-};
+static const Command *const commands[] = {&command_render, &command_preview, &command_merge, &command_photons,
+                                          &command_diff,   &command_export,  &command_frame, &command_steps};
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
+
+static const char *name_of(const Command *command)
+{
+    return command->line.command + strlen("photonlab ");
+}
 
 static void print_help(FILE *stream)
 {
     fprintf(stream, "photonlab: photon mapping to learn from\n\nusage: photonlab COMMAND …\n\n");
     for (size_t i = 0; i < COMMAND_COUNT; i++)
-        fprintf(stream, "  %-9s %s\n", commands[i].name, commands[i].help);
+        fprintf(stream, "  %-9s %s\n", name_of(commands[i]), commands[i]->words);
     fprintf(stream, "\nphotonlab COMMAND --help tells more. Try: photonlab render scenes/box_glass.yaml -o box.png\n");
 }
 
@@ -38,6 +29,14 @@ static int all_printed(int code)
         return code;
     perror("photonlab: standard output");
     return code ? code : EXIT_INPUT;
+}
+
+static int run(const Command *command, int count, char **arguments)
+{
+    if (command->prepare && !command->prepare())
+        return EXIT_INPUT;
+    int wrong = command_line_parse(&command->line, count, arguments, command->files);
+    return wrong == 0 ? command->run() : wrong == HELP_SHOWN ? 0 : wrong;
 }
 
 int main(int count, char **arguments)
@@ -56,7 +55,7 @@ int main(int count, char **arguments)
         return 0;
     }
     for (size_t i = 0; i < COMMAND_COUNT; i++)
-        if (strcmp(arguments[1], commands[i].name) == 0)
-            return all_printed(commands[i].run(count - 1, arguments + 1));
+        if (strcmp(arguments[1], name_of(commands[i])) == 0)
+            return all_printed(run(commands[i], count - 1, arguments + 1));
     return report_usage("photonlab", "no command `%s`", arguments[1]);
 }

@@ -23,33 +23,10 @@ typedef struct {
     int first, last, done;
 } Part;
 
-typedef struct {
-    const char *files[MOST_FILES];
-    const char *out, *code;
-    int bits, count;
-} Arguments;
-
-// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
-static int parse(int count, char **arguments, Arguments *a)
-{
-    *a = (Arguments){.bits = 8};
-    const Flag flags[] = {
-        {"o", FLAG_TEXT, &a->out, 0, 0}, {"bits", FLAG_INT, &a->bits, 8, 16}, {"code", FLAG_TEXT, &a->code, 0, 0}};
-    CommandLine line = {"photonlab merge", help, "files of passes", flags, FLAG_COUNT(flags), 1, MOST_FILES};
-    int wrong = command_line_parse(&line, count, arguments, a->files);
-    if (wrong)
-        return wrong;
-    while (a->count < MOST_FILES && a->files[a->count])
-        a->count++;
-    Error error = {""};
-    if (a->bits != 8 && a->bits != 16)
-        return report_usage("photonlab merge", "--bits %d: expected 8 or 16", a->bits);
-    if (!a->out)
-        return report_usage("photonlab merge", "say where to write the picture: -o OUT.png");
-    if (!file_ends_in(a->out, PASS_FILE_ENDING) && !image_path_is_known(a->out, &error))
-        return report_usage("photonlab merge", "%s", error.message);
-    return 0;
-}
+static const char *files[MOST_FILES + 1], *out, *code; // files end with NULL
+static int bits = 8;
+static const Flag flags[] = {
+    {"o", FLAG_TEXT, &out, 0, 0}, {"bits", FLAG_INT, &bits, 8, 16}, {"code", FLAG_TEXT, &code, 0, 0}};
 
 static int compare(const void *a, const void *b)
 {
@@ -59,13 +36,13 @@ static int compare(const void *a, const void *b)
 }
 
 // What each file holds, in the order of their passes. Only one is in memory at a time.
-static bool look_at(const Arguments *a, Part *parts, Error *error)
+static bool look_at(Part *parts, int count, Error *error)
 {
-    for (int i = 0; i < a->count; i++) {
+    for (int i = 0; i < count; i++) {
         Part *part = &parts[i];
         Passes passes = {0};
         char differs[800];
-        part->path = a->files[i];
+        part->path = files[i];
         if (!pass_file_read(part->path, &part->origin, &passes, error))
             return false;
         part->first = passes.first;
@@ -78,7 +55,7 @@ static bool look_at(const Arguments *a, Part *parts, Error *error)
             return error_set(error, "%s: does not belong to %s: it is of %d passes, not %d", part->path, parts[0].path,
                              part->origin.all, parts[0].origin.all);
     }
-    qsort(parts, (size_t)a->count, sizeof *parts, compare);
+    qsort(parts, (size_t)count, sizeof *parts, compare);
     return true;
 }
 
@@ -135,36 +112,48 @@ static bool add_part(const char *path, Passes *all, Error *error)
     return true;
 }
 
-static bool merge(const Arguments *a, Part *parts, Passes *all, Error *error)
+static bool merge(Part *parts, int count, Passes *all, Error *error)
 {
-    if (!look_at(a, parts, error) || !check_complete(parts, a->count, error))
+    if (!look_at(parts, count, error) || !check_complete(parts, count, error))
         return false;
-    for (int i = 0; i < a->count; i++)
+    for (int i = 0; i < count; i++)
         if (!add_part(parts[i].path, all, error))
             return false;
     PassOrigin origin = parts[0].origin;
     origin.part = origin.parts = 1;
-    if (file_ends_in(a->out, PASS_FILE_ENDING))
-        return pass_file_write(a->out, &origin, all, error);
+    if (file_ends_in(out, PASS_FILE_ENDING))
+        return pass_file_write(out, &origin, all, error);
     Image image = {0, 0, NULL};
     bool sound;
-    bool ok = passes_picture(all, &image, error) && write_picture(&image, a->out, a->bits, &sound, error);
+    bool ok = passes_picture(all, &image, error) && write_picture(&image, out, bits, &sound, error);
     image_free(&image);
     return ok;
 }
 
-int command_merge(int count, char **arguments)
+static int run(void)
 {
-    static Arguments a;
-    int wrong = parse(count, arguments, &a);
-    if (wrong)
-        return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
+    if (bits != 8 && bits != 16)
+        return report_usage("photonlab merge", "--bits %d: expected 8 or 16", bits);
+    if (!out)
+        return report_usage("photonlab merge", "say where to write the picture: -o OUT.png");
+    if (!file_ends_in(out, PASS_FILE_ENDING) && !image_path_is_known(out, &error))
+        return report_usage("photonlab merge", "%s", error.message);
+    int count = 0;
+    while (files[count])
+        count++;
     Passes all = {0};
-    Part *parts = calloc((size_t)a.count, sizeof *parts);
-    bool ok = parts ? file_may_write(a.out, &error) && steps_load(a.code, &error) && merge(&a, parts, &all, &error)
+    Part *parts = calloc((size_t)count, sizeof *parts);
+    bool ok = parts ? file_may_write(out, &error) && steps_load(code, &error) && merge(parts, count, &all, &error)
                     : error_set(&error, "not enough memory");
     passes_free(&all);
     free(parts);
     return ok ? 0 : report_error(&error);
 }
+
+const Command command_merge = {
+    .words = "one picture of passes that several machines have rendered",
+    .line = {"photonlab merge", help, "files of passes", flags, FLAG_COUNT(flags), 1, MOST_FILES},
+    .files = files,
+    .run = run,
+};

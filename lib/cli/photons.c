@@ -22,43 +22,21 @@ static const char help[] =
     "  --quiet        no progress and no summary\n"
     "  --json         one line of JSON on standard output\n";
 
-typedef struct {
-    const char *scene, *out, *code, *steps;
-    long photons; // 0: as the scene says
-    int depth;    // 0: as the scene says
-    bool quiet, json, spectral;
-    PhotonPassOptions options;
-} Arguments;
-
-// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
-static int parse(int count, char **arguments, Arguments *a)
-{
-    *a = (Arguments){.options = {.seed = 1, .keep = KEEP_ALL}};
-    const Flag flags[] = {
-        {"o", FLAG_TEXT, &a->out, 0, 0},
-        {"photons", FLAG_LONG, &a->photons, 1, MOST_PHOTONS},
-        {"seed", FLAG_SEED, &a->options.seed, 0, 0},
-        {"depth", FLAG_INT, &a->depth, 1, MOST_DEPTH},
-        {"threads", FLAG_INT, &a->options.threads, 0, MOST_THREADS},
-        {"code", FLAG_TEXT, &a->code, 0, 0},
-        {"steps", FLAG_TEXT, &a->steps, 0, 0},
-        {"spectral", FLAG_PRESENT, &a->spectral, 0, 0},
-        {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
-        {"json", FLAG_PRESENT, &a->json, 0, 0},
-    };
-    int wrong =
-        command_line_parse(&(CommandLine){"photonlab photons", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
-                           count, arguments, &a->scene);
-    if (wrong)
-        return wrong;
-    if (!a->out)
-        return report_usage("photonlab photons", "say where to write the photons: -o OUT.ply");
-    Error error = {""};
-    if (!photon_file_path_is_known(a->out, &error) ||
-        (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
-        return report_usage("photonlab photons", "%s", error.message);
-    return 0;
-}
+static const char *file, *out, *code, *steps_text;
+static bool quiet, json, spectral;
+static PhotonPassOptions options = {.seed = 1, .keep = KEEP_ALL}; // 0 photons, depth 0: as the scene says
+static const Flag flags[] = {
+    {"o", FLAG_TEXT, &out, 0, 0},
+    {"photons", FLAG_LONG, &options.photons, 1, MOST_PHOTONS},
+    {"seed", FLAG_SEED, &options.seed, 0, 0},
+    {"depth", FLAG_INT, &options.depth, 1, MOST_DEPTH},
+    {"threads", FLAG_INT, &options.threads, 0, MOST_THREADS},
+    {"code", FLAG_TEXT, &code, 0, 0},
+    {"steps", FLAG_TEXT, &steps_text, 0, 0},
+    {"spectral", FLAG_PRESENT, &spectral, 0, 0},
+    {"quiet", FLAG_PRESENT, &quiet, 0, 0},
+    {"json", FLAG_PRESENT, &json, 0, 0},
+};
 
 static void print_json(const PhotonPass *pass)
 {
@@ -70,41 +48,49 @@ static void print_json(const PhotonPass *pass)
     printf("}\n");
 }
 
-int command_photons(int count, char **arguments)
+static int run(void)
 {
-    Arguments a;
-    int wrong = parse(count, arguments, &a);
-    if (wrong)
-        return wrong == HELP_SHOWN ? 0 : wrong;
-    guard_begin(a.code, a.options.threads);
     Error error = {""};
     Scene *scene = NULL;
-    if (!file_may_write(a.out, &error) || !steps_load(a.code, &error) || !(scene = scene_load(a.scene, &error)))
+    if (!out)
+        return report_usage("photonlab photons", "say where to write the photons: -o OUT.ply");
+    if (!photon_file_path_is_known(out, &error) ||
+        (steps_text && !step_choice_parse(steps_text, &options.play, &error)))
+        return report_usage("photonlab photons", "%s", error.message);
+    guard_begin(code, options.threads);
+    if (!file_may_write(out, &error) || !steps_load(code, &error) || !(scene = scene_load(file, &error)))
         return report_error(&error);
-    a.options.photons = a.photons ? a.photons : scene->settings.photons;
-    a.options.depth = a.depth ? a.depth : scene->settings.depth;
-    choose_steps(a.code, a.steps, a.spectral, scene, &a.options.play);
-    if (a.code && !a.quiet)
-        report_steps(a.options.play, false);
-    steps_play(a.options.play);
-    parallel_limit(a.options.threads);
+    options.photons = options.photons ? options.photons : scene->settings.photons;
+    options.depth = options.depth ? options.depth : scene->settings.depth;
+    choose_steps(code, steps_text, spectral, scene, &options.play);
+    if (code && !quiet)
+        report_steps(options.play, false);
+    steps_play(options.play);
+    parallel_limit(options.threads);
 
     ProgressBar bar;
-    a.options.progress = progress_bar_start(&bar, a.quiet);
+    options.progress = progress_bar_start(&bar, quiet);
     PhotonPass pass;
-    bool ok = photon_pass_run(scene, &a.options, &pass, &error);
+    bool ok = photon_pass_run(scene, &options, &pass, &error);
     progress_bar_end(&bar);
-    ok = ok && photon_file_write(pass.rest.photons, pass.rest.count, a.out, &error);
+    ok = ok && photon_file_write(pass.rest.photons, pass.rest.count, out, &error);
     scene_free(scene);
     if (!ok)
         return report_error(&error);
-    if (!a.quiet) {
+    if (!quiet) {
         report_oddities(&pass.ledger, pass.emitted, &pass.unsound);
-        fprintf(stderr, "%s: %zu photons stored of %ld emitted; %.1f s\n", a.out, pass.stored, pass.emitted,
+        fprintf(stderr, "%s: %zu photons stored of %ld emitted; %.1f s\n", out, pass.stored, pass.emitted,
                 pass.seconds);
     }
-    if (a.json)
+    if (json)
         print_json(&pass);
     photon_pass_free(&pass);
     return 0;
 }
+
+const Command command_photons = {
+    .words = "write the stored photons as a point cloud",
+    .line = {"photonlab photons", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
+    .files = &file,
+    .run = run,
+};

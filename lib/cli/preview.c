@@ -43,175 +43,141 @@ static const char help_end[] =
     "  --report FILE        what the key `o` opens\n"
     "  --orbit SECONDS      the window turns by itself for so long, and tells how many frames a second it made\n";
 
-typedef struct {
-    const char *scene, *camera, *framing, *steps;
-    Choice view, colour, context, integrator, radii;
-    int size[2];
-    bool frame, no_wireframe, split, bare;
-    float flight, exposure;
-    double settings[VIEW_COUNT][MOST_SETTINGS];
-    PreviewOptions options;
-} Arguments;
+static const char *file, *camera, *framing, *steps_text;
+static const char *const contexts[] = {"osmesa", "egl", "window", NULL}; // as ContextKind has them, after any
+static Choice kind = {view_names, 0}, colours = {colour_names, 0}, context = {contexts, -1},
+              integrator = {integrator_names, -1}, radii = {radii_rules, RADII_ALIKE};
+static int size[2] = {1280, 720};
+static bool frame, no_wireframe, bare;
+static PreviewOptions options = {.photons = 200000, .recorded = 1000, .seed = 1, .view = {.flight = -1.0}};
+static Flag flags[MOST_FLAGS] = {
+    {"snapshot", FLAG_TEXT, &options.snapshot, 0, 0},
+    {"every-save", FLAG_PRESENT, &options.every_save, 0, 0},
+    {"view", FLAG_CHOICE, &kind, 0, 0},
+    {"colour", FLAG_CHOICE, &colours, 0, 0},
+    {"split", FLAG_PRESENT, &options.view.split, 0, 0},
+    {"camera", FLAG_TEXT, &camera, 0, 0},
+    {"framing", FLAG_TEXT, &framing, 0, 0},
+    {"frame", FLAG_PRESENT, &frame, 0, 0},
+    {"exposure", FLAG_FLOAT, &options.view.exposure, (double)-MOST_EXPOSURE, (double)MOST_EXPOSURE},
+    {"flight", FLAG_NUMBER, &options.view.flight, 0, 1e30},
+    {"size", FLAG_SIZE, size, 64, MOST_SIDE},
+    {"photons", FLAG_LONG, &options.photons, 1, 100000000},
+    {"paths", FLAG_LONG, &options.recorded, 0, 1000000},
+    {"depth", FLAG_INT, &options.depth, 1, MOST_DEPTH},
+    {"seed", FLAG_SEED, &options.seed, 0, 0},
+    {"steps", FLAG_TEXT, &steps_text, 0, 0},
+    {"spectral", FLAG_PRESENT, &options.spectral, 0, 0},
+    {"render", FLAG_INT, &options.render, 1, 1000000},
+    {"integrator", FLAG_CHOICE, &integrator, 0, 0},
+    {"radii", FLAG_CHOICE, &radii, 0, 0},
+    {"bare", FLAG_PRESENT, &bare, 0, 0},
+    {"no-wireframe", FLAG_PRESENT, &no_wireframe, 0, 0},
+    {"context", FLAG_CHOICE, &context, 0, 0},
+    {"code", FLAG_TEXT, &options.code, 0, 0},
+    {"photons-file", FLAG_TEXT, &options.given[0], 0, 0},
+    {"reference-file", FLAG_TEXT, &options.given[1], 0, 0},
+    {"watch", FLAG_TEXT, &options.source, 0, 0},
+    {"build", FLAG_TEXT, &options.build, 0, 0},
+    {"stage", FLAG_INT, &options.stage, 1, STAGE_COUNT},
+    {"stages", FLAG_INT, &options.stages, 1, STAGE_COUNT},
+    {"judge", FLAG_TEXT, &options.judge, 0, 0},
+    {"report", FLAG_TEXT, &options.report, 0, 0},
+    {"orbit", FLAG_FLOAT, &options.orbit_seconds, 0, 3600},
+};
+static char help[6000];
 
-// The help, with the views and their flags, a line or more each.
-static void list_flags(char *text, size_t size)
-{
-    const char *flag = "  --view NAME";
-    snprintf(text, size, "%s", help_begin);
-    for (int i = 0; i < VIEW_COUNT; i++) {
-        const char *name = view_names[i];
-        for (const char *line = view_types[i]->help; *line; line += strcspn(line, "\n") + 1) {
-            text_append(text, size, "%-23s%-8s %.*s\n", flag, name, (int)strcspn(line, "\n"), line);
-            flag = name = "";
-        }
-    }
-    text_append(text, size, "%s", help_end);
-}
-
-// The flags of all views' settings; returns how many there are then.
-static int add_settings(Arguments *a, Flag *flags, int count)
+// The help and the flags, with those of the views.
+static bool prepare(void)
 {
     static const FlagKind KINDS[] = {
         [SETTING_WHOLE] = FLAG_WHOLE, [SETTING_NUMBER] = FLAG_NUMBER, [SETTING_SWITCH] = FLAG_ON};
-    for (int i = 0; i < VIEW_COUNT; i++)
-        for (int j = 0; j < MOST_SETTINGS && view_types[i]->settings[j].flag && count < MOST_FLAGS; j++) {
-            const ViewSetting *setting = &view_types[i]->settings[j];
-            a->settings[i][j] = setting->start;
-            flags[count++] =
-                (Flag){setting->flag, KINDS[setting->kind], &a->settings[i][j], setting->low, setting->high};
+    const char *flag = "  --view NAME";
+    Flag *next = flags;
+    while (next->name)
+        next++;
+    text_append(help, sizeof help, "%s", help_begin);
+    for (int i = 0; i < VIEW_COUNT; i++) {
+        const char *name = view_names[i];
+        for (const char *line = view_types[i]->help; *line; line += strcspn(line, "\n") + 1) {
+            text_append(help, sizeof help, "%-23s%-8s %.*s\n", flag, name, (int)strcspn(line, "\n"), line);
+            flag = name = "";
         }
-    return count;
-}
-
-// What no flag alone can tell.
-static bool check(Arguments *a)
-{
-    PreviewOptions *options = &a->options;
-    Error error = {""};
-    options->width = a->size[0];
-    options->height = a->size[1];
-    int context = 1 + a->context.chosen;
-    options->in_window = context > CONTEXT_EGL;
-    options->context = options->in_window ? CONTEXT_ANY : (ContextKind)context;
-    options->integrator = a->integrator.chosen;
-    options->radii = (RadiiRule)a->radii.chosen;
-    if (options->render > 0 && !options->snapshot)
-        error_set(&error, "--render: needs --snapshot; in the window the key `p` renders");
-    if (a->steps)
-        options->play_is_given = step_choice_parse(a->steps, &options->play, &error);
-    if (options->snapshot)
-        image_path_is_known(options->snapshot, &error);
-    if (options->every_save && (!options->snapshot || !options->source))
-        error_set(&error, "--every-save: needs --snapshot, --watch and --build");
-    if (options->given[0] && (!options->snapshot || options->source))
-        error_set(&error, "--photons-file: needs --snapshot, and goes without --watch");
-    if (options->given[1] && !options->given[0])
-        error_set(&error, "--reference-file: needs --photons-file");
-    if (options->source && (!options->build || !options->code))
-        error_set(&error, "--watch: needs --build and --code");
-    if (error.message[0])
-        report_usage("photonlab preview", "%s", error.message);
-    return !error.message[0];
-}
-
-// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
-static int parse(int count, char **arguments, Arguments *a)
-{
-    static const char *const CONTEXTS[] = {"osmesa", "egl", "window", NULL}; // as ContextKind has them, after any
-    *a = (Arguments){.view = {view_names, 0},
-                     .colour = {colour_names, 0},
-                     .context = {CONTEXTS, -1},
-                     .integrator = {integrator_names, -1},
-                     .radii = {radii_rules, RADII_ALIKE},
-                     .size = {1280, 720},
-                     .flight = -1};
-    a->options = (PreviewOptions){.photons = 200000, .recorded = 1000, .seed = 1};
-    PreviewOptions *o = &a->options;
-    Flag flags[MOST_FLAGS] = {
-        {"snapshot", FLAG_TEXT, &o->snapshot, 0, 0},
-        {"every-save", FLAG_PRESENT, &o->every_save, 0, 0},
-        {"view", FLAG_CHOICE, &a->view, 0, 0},
-        {"colour", FLAG_CHOICE, &a->colour, 0, 0},
-        {"split", FLAG_PRESENT, &a->split, 0, 0},
-        {"camera", FLAG_TEXT, &a->camera, 0, 0},
-        {"framing", FLAG_TEXT, &a->framing, 0, 0},
-        {"frame", FLAG_PRESENT, &a->frame, 0, 0},
-        {"exposure", FLAG_FLOAT, &a->exposure, (double)-MOST_EXPOSURE, (double)MOST_EXPOSURE},
-        {"flight", FLAG_FLOAT, &a->flight, 0, 1e30},
-        {"size", FLAG_SIZE, a->size, 64, MOST_SIDE},
-        {"photons", FLAG_LONG, &o->photons, 1, 100000000},
-        {"paths", FLAG_LONG, &o->recorded, 0, 1000000},
-        {"depth", FLAG_INT, &o->depth, 1, MOST_DEPTH},
-        {"seed", FLAG_SEED, &o->seed, 0, 0},
-        {"steps", FLAG_TEXT, &a->steps, 0, 0},
-        {"spectral", FLAG_PRESENT, &o->spectral, 0, 0},
-        {"render", FLAG_INT, &o->render, 1, 1000000},
-        {"integrator", FLAG_CHOICE, &a->integrator, 0, 0},
-        {"radii", FLAG_CHOICE, &a->radii, 0, 0},
-        {"bare", FLAG_PRESENT, &a->bare, 0, 0},
-        {"no-wireframe", FLAG_PRESENT, &a->no_wireframe, 0, 0},
-        {"context", FLAG_CHOICE, &a->context, 0, 0},
-        {"code", FLAG_TEXT, &o->code, 0, 0},
-        {"photons-file", FLAG_TEXT, &o->given[0], 0, 0},
-        {"reference-file", FLAG_TEXT, &o->given[1], 0, 0},
-        {"watch", FLAG_TEXT, &o->source, 0, 0},
-        {"build", FLAG_TEXT, &o->build, 0, 0},
-        {"stage", FLAG_INT, &o->stage, 1, STAGE_COUNT},
-        {"stages", FLAG_INT, &o->stages, 1, STAGE_COUNT},
-        {"judge", FLAG_TEXT, &o->judge, 0, 0},
-        {"report", FLAG_TEXT, &o->report, 0, 0},
-        {"orbit", FLAG_FLOAT, &o->orbit_seconds, 0, 3600},
-    };
-    int flag_count = 0;
-    while (flags[flag_count].name)
-        flag_count++;
-    flag_count = add_settings(a, flags, flag_count);
-    char help[6000];
-    list_flags(help, sizeof help);
-    int wrong = command_line_parse(&(CommandLine){"photonlab preview", help, "one scene file", flags, flag_count, 1, 1},
-                                   count, arguments, &a->scene);
-    return wrong ? wrong : check(a) ? 0 : EXIT_USAGE;
-}
-
-// Pictures, and no window.
-static bool is_still(const PreviewOptions *options)
-{
-    return options->every_save || (options->snapshot && !options->source);
-}
-
-// What the flags say about the view, over what the scene suggests.
-static bool set_view(const Arguments *a, const Scene *scene, View *view, Error *error)
-{
-    *view = view_default(scene);
-    view->kind = (ViewKind)a->view.chosen;
-    view->colour = (ColourMode)a->colour.chosen;
-    view->split = a->split || a->options.given[1];
-    view->wireframe = !a->no_wireframe;
-    view->flight = (double)a->flight;
-    view->exposure = a->exposure;
-    view->panel = a->bare ? 0.0f : is_still(&a->options) ? NARROW_PANEL : WIDE_PANEL;
-    memcpy(view->settings, a->settings, sizeof view->settings);
-    Vec3 p, t;
-    char after;
-    if (a->camera && sscanf(a->camera, "%f,%f,%f,%f,%f,%f%c", &p.x, &p.y, &p.z, &t.x, &t.y, &t.z, &after) != 6)
-        return error_set(error, "--camera %s: expected six numbers, PX,PY,PZ,TX,TY,TZ", a->camera);
-    if (a->camera && !isfinite(vec3_dot(p, p) + vec3_dot(t, t)))
-        return error_set(error, "--camera %s: expected numbers that are not too large", a->camera);
-    if (a->camera)
-        view->orbit = orbit_look(p, t, view->orbit.vertical_fov);
-    Framing *f = &view->framing;
-    if (a->framing && (sscanf(a->framing, "%f,%f,%f%c", &f->zoom, &f->right, &f->up, &after) != 3 ||
-                       !(f->zoom >= LEAST_ZOOM && f->zoom <= MOST_ZOOM && isfinite(f->right) && isfinite(f->up))))
-        return error_set(error, "--framing %s: expected ZOOM,RIGHT,UP, e.g. 2,0.3,0", a->framing);
-    if (a->frame)
-        orbit_frame(&view->orbit, bvh_bounds(scene->bvh), (float)a->options.width / (float)a->options.height);
+        for (int j = 0; j < MOST_SETTINGS && view_types[i]->settings[j].flag && next < flags + MOST_FLAGS; j++) {
+            const ViewSetting *setting = &view_types[i]->settings[j];
+            double *value = &options.view.settings[i][j];
+            *value = setting->start;
+            *next++ = (Flag){setting->flag, KINDS[setting->kind], value, setting->low, setting->high};
+        }
+    }
+    text_append(help, sizeof help, "%s", help_end);
     return true;
 }
 
-static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *error)
+// What no flag alone can tell.
+static bool check(Error *error)
 {
-    PreviewOptions options = a->options;
-    if (is_still(&options))
+    int in = 1 + context.chosen;
+    options.width = size[0];
+    options.height = size[1];
+    options.in_window = in > CONTEXT_EGL;
+    options.context = options.in_window ? CONTEXT_ANY : (ContextKind)in;
+    options.integrator = integrator.chosen;
+    options.radii = (RadiiRule)radii.chosen;
+    if (options.render > 0 && !options.snapshot)
+        error_set(error, "--render: needs --snapshot; in the window the key `p` renders");
+    if (steps_text)
+        options.play_is_given = step_choice_parse(steps_text, &options.play, error);
+    if (options.snapshot)
+        image_path_is_known(options.snapshot, error);
+    if (options.every_save && (!options.snapshot || !options.source))
+        error_set(error, "--every-save: needs --snapshot, --watch and --build");
+    if (options.given[0] && (!options.snapshot || options.source))
+        error_set(error, "--photons-file: needs --snapshot, and goes without --watch");
+    if (options.given[1] && !options.given[0])
+        error_set(error, "--reference-file: needs --photons-file");
+    if (options.source && (!options.build || !options.code))
+        error_set(error, "--watch: needs --build and --code");
+    return !error->message[0];
+}
+
+// Pictures, and no window.
+static bool is_still(void)
+{
+    return options.every_save || (options.snapshot && !options.source);
+}
+
+// What the flags say about the view, over what the scene suggests.
+static bool set_view(const Scene *scene, Error *error)
+{
+    View *view = &options.view, usual = view_default(scene);
+    view->orbit = usual.orbit;
+    view->framing = usual.framing;
+    view->kind = (ViewKind)kind.chosen;
+    view->colour = (ColourMode)colours.chosen;
+    view->split = view->split || options.given[1];
+    view->wireframe = !no_wireframe;
+    view->panel = bare ? 0.0f : is_still() ? NARROW_PANEL : WIDE_PANEL;
+    Vec3 p, t;
+    char after;
+    if (camera && sscanf(camera, "%f,%f,%f,%f,%f,%f%c", &p.x, &p.y, &p.z, &t.x, &t.y, &t.z, &after) != 6)
+        return error_set(error, "--camera %s: expected six numbers, PX,PY,PZ,TX,TY,TZ", camera);
+    if (camera && !isfinite(vec3_dot(p, p) + vec3_dot(t, t)))
+        return error_set(error, "--camera %s: expected numbers that are not too large", camera);
+    if (camera)
+        view->orbit = orbit_look(p, t, view->orbit.vertical_fov);
+    Framing *f = &view->framing;
+    if (framing && (sscanf(framing, "%f,%f,%f%c", &f->zoom, &f->right, &f->up, &after) != 3 ||
+                    !(f->zoom >= LEAST_ZOOM && f->zoom <= MOST_ZOOM && isfinite(f->right) && isfinite(f->up))))
+        return error_set(error, "--framing %s: expected ZOOM,RIGHT,UP, e.g. 2,0.3,0", framing);
+    if (frame)
+        orbit_frame(&view->orbit, bvh_bounds(scene->bvh), (float)options.width / (float)options.height);
+    return true;
+}
+
+static bool show(const Scene *scene, Broker *broker, Error *error)
+{
+    if (is_still())
         return preview_snapshot(scene, &options, broker, error);
     bool no_window = false;
     if (!options.snapshot)
@@ -227,27 +193,33 @@ static bool show(const Scene *scene, const Arguments *a, Broker *broker, Error *
     return preview_snapshot(scene, &options, broker, error);
 }
 
-int command_preview(int count, char **arguments)
+static int run(void)
 {
-    Arguments a;
-    int wrong = parse(count, arguments, &a);
-    if (wrong)
-        return wrong == HELP_SHOWN ? 0 : wrong;
     Error error = {""};
+    if (!check(&error))
+        return report_usage("photonlab preview", "%s", error.message);
     parallel_limit(1); // no threads before the fork
-    Scene *scene = scene_load(a.scene, &error);
+    Scene *scene = scene_load(file, &error);
     if (!scene)
         return report_error(&error);
-    a.options.scene_path = a.scene;
-    if (!set_view(&a, scene, &a.options.view, &error)) {
+    options.scene_path = file;
+    if (!set_view(scene, &error)) {
         scene_free(scene);
         return report_usage("photonlab preview", "%s", error.message);
     }
-    Broker *broker = a.options.given[0] ? NULL : broker_start(scene, a.options.source, &error);
+    Broker *broker = options.given[0] ? NULL : broker_start(scene, options.source, &error);
     parallel_limit(0);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ); // what happens is told when it happens, through a pipe, too
-    bool ok = (broker || a.options.given[0]) && show(scene, &a, broker, &error);
+    bool ok = (broker || options.given[0]) && show(scene, broker, &error);
     broker_stop(broker);
     scene_free(scene);
     return ok ? 0 : report_error(&error);
 }
+
+const Command command_preview = {
+    .words = "a window on the photons, live; or a snapshot of it",
+    .line = {"photonlab preview", help, "one scene file", flags, MOST_FLAGS, 1, 1},
+    .files = &file,
+    .prepare = prepare,
+    .run = run,
+};

@@ -3,16 +3,16 @@
 
 #include <stdio.h>
 
-int command_preview(int count, char **arguments)
+static bool refuse(void)
 {
-    (void)count, (void)arguments;
     fputs("this program was built without GLFW; Debian, Ubuntu: apt-get install libglfw3-dev; Fedora: dnf install "
           "glfw-devel; Arch: pacman -S glfw; macOS: brew install glfw; then make clean, make\n",
           stderr);
-    return EXIT_INPUT;
+    return false;
 }
 
-int command_frame(int count, char **arguments)
-{
-    return command_preview(count, arguments);
-}
+const Command command_preview = {.words = "a window on the photons, live; or a snapshot of it",
+                                 .line = {.command = "photonlab preview"},
+                                 .prepare = refuse};
+const Command command_frame = {
+    .words = "a frame with words about a picture", .line = {.command = "photonlab frame"}, .prepare = refuse};

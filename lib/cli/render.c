@@ -44,89 +44,70 @@ static const char help[] =
     "  --quiet              no progress and no summary\n"
     "  --json               one line of JSON on standard output: counts, rays, seconds, the energy ledger\n";
 
-typedef struct {
-    const char *scene, *out, *code, *steps, *tev;
-    int size[2];
-    Choice integrator;
-    RenderSettings settings; // 0 or −1: no flag, so the scene's own value counts
-    int bits;
-    bool quiet, json, spectral;
-    int wavelengths;
-    PassFlags passes;
-    RenderOptions options;
-} Arguments;
+static RenderFlags asked = {.integrator = {integrator_names, -1}, // −1: as the scene says
+                            .bits = 8,
+                            .wavelengths = 3,
+                            .settings = {.radius = -1.0f},
+                            .radii = {radii_names, -1},
+                            .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
+static const Flag flags[] = {
+    {"o", FLAG_TEXT, &asked.out, 0, 0},
+    {"bits", FLAG_INT, &asked.bits, 8, 16},
+    {"integrator", FLAG_CHOICE, &asked.integrator, 0, 0},
+    {"photons", FLAG_LONG, &asked.settings.photons, 1, MOST_PHOTONS},
+    {"k", FLAG_INT, &asked.settings.k, 1, MOST_K},
+    {"radius", FLAG_FLOAT, &asked.settings.radius, 0, SCENE_LARGEST_NUMBER},
+    {"samples", FLAG_INT, &asked.settings.samples, 1, MOST_SAMPLES},
+    {"size", FLAG_SIZE, asked.size, 1, MOST_SIDE},
+    {"depth", FLAG_INT, &asked.settings.depth, 1, MOST_DEPTH},
+    {"seed", FLAG_SEED, &asked.options.seed, 0, 0},
+    {"threads", FLAG_INT, &asked.options.threads, 0, MOST_THREADS},
+    {"reuse", FLAG_FLOAT, &asked.options.reuse, 0, 1},
+    {"code", FLAG_TEXT, &asked.code, 0, 0},
+    {"steps", FLAG_TEXT, &asked.steps, 0, 0},
+    {"passes", FLAG_INT, &asked.passes, 1, MOST_PASSES},
+    {"seconds", FLAG_FLOAT, &asked.seconds, 1e-3, 1e9},
+    {"alpha", FLAG_FLOAT, &asked.alpha, 1e-3, 1},
+    {"radii", FLAG_CHOICE, &asked.radii, 0, 0},
+    {"part", FLAG_TEXT, &asked.part, 0, 0},
+    {"resume", FLAG_TEXT, &asked.resume, 0, 0},
+    {"spectral", FLAG_PRESENT, &asked.spectral, 0, 0},
+    {"wavelengths", FLAG_INT, &asked.wavelengths, 1, 3},
+    {"glass-sides", FLAG_INT, &asked.options.glass_sides, 1, 2},
+    {"tev", FLAG_TEXT, &asked.tev, 0, 0},
+    {"quiet", FLAG_PRESENT, &asked.quiet, 0, 0},
+    {"json", FLAG_PRESENT, &asked.json, 0, 0},
+};
 
-// 0 when the arguments are right, otherwise the exit code or HELP_SHOWN.
-static int parse(int count, char **arguments, Arguments *a)
+// What no flag alone can tell.
+static bool check(Error *error)
 {
-    *a = (Arguments){.integrator = {integrator_names, -1}, // −1: as the scene says
-                     .bits = 8,
-                     .wavelengths = 3,
-                     .settings = {.radius = -1.0f},
-                     .passes = {.radii = {radii_names, -1}},
-                     .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
-    const Flag flags[] = {
-        {"o", FLAG_TEXT, &a->out, 0, 0},
-        {"bits", FLAG_INT, &a->bits, 8, 16},
-        {"integrator", FLAG_CHOICE, &a->integrator, 0, 0},
-        {"photons", FLAG_LONG, &a->settings.photons, 1, MOST_PHOTONS},
-        {"k", FLAG_INT, &a->settings.k, 1, MOST_K},
-        {"radius", FLAG_FLOAT, &a->settings.radius, 0, SCENE_LARGEST_NUMBER},
-        {"samples", FLAG_INT, &a->settings.samples, 1, MOST_SAMPLES},
-        {"size", FLAG_SIZE, a->size, 1, MOST_SIDE},
-        {"depth", FLAG_INT, &a->settings.depth, 1, MOST_DEPTH},
-        {"seed", FLAG_SEED, &a->options.seed, 0, 0},
-        {"threads", FLAG_INT, &a->options.threads, 0, MOST_THREADS},
-        {"reuse", FLAG_FLOAT, &a->options.reuse, 0, 1},
-        {"code", FLAG_TEXT, &a->code, 0, 0},
-        {"steps", FLAG_TEXT, &a->steps, 0, 0},
-        PASS_FLAGS(a->passes),
-        {"spectral", FLAG_PRESENT, &a->spectral, 0, 0},
-        {"wavelengths", FLAG_INT, &a->wavelengths, 1, 3},
-        {"glass-sides", FLAG_INT, &a->options.glass_sides, 1, 2},
-        {"tev", FLAG_TEXT, &a->tev, 0, 0},
-        {"quiet", FLAG_PRESENT, &a->quiet, 0, 0},
-        {"json", FLAG_PRESENT, &a->json, 0, 0},
-    };
-    int wrong =
-        command_line_parse(&(CommandLine){"photonlab render", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
-                           count, arguments, &a->scene);
-    if (wrong)
-        return wrong;
-    if (a->bits != 8 && a->bits != 16)
-        return report_usage("photonlab render", "--bits %d: expected 8 or 16", a->bits);
-    if (!a->out)
-        return report_usage("photonlab render", "say where to write the picture: -o OUT.png");
-    a->settings.width = a->size[0];
-    a->settings.height = a->size[1];
-    if (a->wavelengths == 2)
-        return report_usage("photonlab render", "--wavelengths 2: expected 1 or 3");
-    a->options.hero = a->wavelengths == 3;
-    if (a->options.glass_sides == 1 && a->integrator.chosen == INTEGRATOR_PATH)
-        return report_usage("photonlab render", "--glass-sides 1: the path tracer knows whole glass only");
-    wrong = pass_flags_check(&a->passes, a->out);
-    if (wrong)
-        return wrong;
-    Error error = {""};
-    bool is_known = file_ends_in(a->out, PASS_FILE_ENDING) || image_path_is_known(a->out, &error);
-    if (!is_known || (a->steps && !step_choice_parse(a->steps, &a->options.play, &error)))
-        return report_usage("photonlab render", "%s", error.message);
-    return 0;
+    if (asked.bits != 8 && asked.bits != 16)
+        return error_set(error, "--bits %d: expected 8 or 16", asked.bits);
+    if (!asked.out)
+        return error_set(error, "say where to write the picture: -o OUT.png");
+    if (asked.wavelengths == 2)
+        return error_set(error, "--wavelengths 2: expected 1 or 3");
+    if (asked.options.glass_sides == 1 && asked.integrator.chosen == INTEGRATOR_PATH)
+        return error_set(error, "--glass-sides 1: the path tracer knows whole glass only");
+    return pass_flags_check(&asked, error) &&
+           (file_ends_in(asked.out, PASS_FILE_ENDING) || image_path_is_known(asked.out, error)) &&
+           (!asked.steps || step_choice_parse(asked.steps, &asked.options.play, error));
 }
 
 // The scene's settings, but for those that flags replace. Many passes have an eye ray each.
-static RenderSettings settings_of(const Scene *scene, const RenderSettings *flags, bool by_passes)
+static RenderSettings settings_with(const RenderSettings *own)
 {
-    const RenderSettings *own = &scene->settings;
-    int samples = by_passes ? 1 : own->samples;
+    const RenderSettings *flag = &asked.settings;
+    int samples = passes_wanted(&asked) ? 1 : own->samples;
     return (RenderSettings){
-        .width = flags->width ? flags->width : own->width,
-        .height = flags->height ? flags->height : own->height,
-        .samples = flags->samples ? flags->samples : samples,
-        .photons = flags->photons ? flags->photons : own->photons,
-        .k = flags->k ? flags->k : own->k,
-        .radius = flags->radius >= 0.0f ? flags->radius : own->radius,
-        .depth = flags->depth ? flags->depth : own->depth,
+        .width = asked.size[0] ? asked.size[0] : own->width,
+        .height = asked.size[1] ? asked.size[1] : own->height,
+        .samples = flag->samples ? flag->samples : samples,
+        .photons = flag->photons ? flag->photons : own->photons,
+        .k = flag->k ? flag->k : own->k,
+        .radius = flag->radius >= 0.0f ? flag->radius : own->radius,
+        .depth = flag->depth ? flag->depth : own->depth,
     };
 }
 
@@ -143,23 +124,16 @@ static void print_json(const RenderStats *s)
     printf("}\n");
 }
 
-static void show_tile(void *user, const Image *image, int x, int y, int width, int height)
-{
-    tev_show(user, image, x, y, width, height);
-}
-
-static bool render_once(Arguments *a, const Scene *scene, Tev *tev, bool *sound, RenderStats *stats, Error *error)
+static bool render_once(const Scene *scene, Tev *tev, bool *sound, RenderStats *stats, Error *error)
 {
     ProgressBar bar;
     Image image = {0, 0, NULL};
-    if (tev) {
-        a->options.tiles.take = show_tile;
-        a->options.tiles.user = tev;
-    }
-    a->options.progress = progress_bar_start(&bar, a->quiet);
-    bool ok = render_image(scene, &a->options, &image, stats, error);
+    asked.options.tiles.take = tev ? tev_show : NULL;
+    asked.options.tiles.user = tev;
+    asked.options.progress = progress_bar_start(&bar, asked.quiet);
+    bool ok = render_image(scene, &asked.options, &image, stats, error);
     progress_bar_end(&bar);
-    ok = ok && write_picture(&image, a->out, a->bits, sound, error);
+    ok = ok && write_picture(&image, asked.out, asked.bits, sound, error);
     if (tev && !*sound)
         tev_show_all(tev, &image); // with what was marked
     image_free(&image);
@@ -167,66 +141,73 @@ static bool render_once(Arguments *a, const Scene *scene, Tev *tev, bool *sound,
 }
 
 // After the picture: what there is to tell. The exit code.
-static int tell(const Arguments *a, const RenderStats *stats)
+static int tell(const RenderStats *stats)
 {
-    if (!a->quiet) {
+    if (!asked.quiet) {
         report_oddities(&stats->ledger, stats->photons_emitted, &stats->unsound);
         if (stats->estimates)
             fprintf(stderr, "%zu estimates of irradiance in %.1f s\n", stats->estimates, stats->gather_seconds);
-        fprintf(stderr, "%s: %d×%d, %ld photons emitted, %zu stored; %.1f s photons, %.1f s map, %.1f s eye\n", a->out,
-                a->options.settings.width, a->options.settings.height, stats->photons_emitted, stats->photons_stored,
-                stats->photon_seconds, stats->build_seconds, stats->eye_seconds);
+        fprintf(stderr, "%s: %d×%d, %ld photons emitted, %zu stored; %.1f s photons, %.1f s map, %.1f s eye\n",
+                asked.out, asked.options.settings.width, asked.options.settings.height, stats->photons_emitted,
+                stats->photons_stored, stats->photon_seconds, stats->build_seconds, stats->eye_seconds);
     }
-    if (a->json)
+    if (asked.json)
         print_json(stats);
     return 0;
 }
 
-static int render(Arguments *a, const Scene *scene)
+static int render(const Scene *scene)
 {
     Error error = {""}, gone = {""};
-    bool by_passes = pass_flags_given(&a->passes), sound = true;
-    a->options.settings = settings_of(scene, &a->settings, by_passes);
-    a->options.integrator = a->integrator.chosen < 0 ? scene->settings.integrator : (Integrator)a->integrator.chosen;
-    bool traces_paths = a->options.integrator == INTEGRATOR_PATH;
-    if ((a->code || !traces_paths || by_passes) && !steps_load(a->code, &error))
+    bool by_passes = passes_wanted(&asked), sound = true;
+    asked.options.settings = settings_with(&scene->settings);
+    asked.options.hero = asked.wavelengths == 3;
+    asked.options.integrator =
+        asked.integrator.chosen < 0 ? scene->settings.integrator : (Integrator)asked.integrator.chosen;
+    bool traces_paths = asked.options.integrator == INTEGRATOR_PATH;
+    if ((asked.code || !traces_paths || by_passes) && !steps_load(asked.code, &error))
         return report_error(&error);
-    choose_steps(a->code, a->steps, a->spectral, scene, &a->options.play);
-    if (a->options.play.loop == LOOP_WAVELENGTH && traces_paths)
+    choose_steps(asked.code, asked.steps, asked.spectral, scene, &asked.options.play);
+    if (asked.options.play.loop == LOOP_WAVELENGTH && traces_paths)
         return report_usage("photonlab render", "the path tracer knows red, green and blue only; say --steps 3.4");
-    if (a->code && !a->quiet)
-        report_steps(a->options.play, traces_paths);
-    parallel_limit(a->options.threads);
+    if (asked.code && !asked.quiet)
+        report_steps(asked.options.play, traces_paths);
+    parallel_limit(asked.options.threads);
 
     RenderStats stats;
     Tev *tev = NULL;
-    if (a->tev && !(tev = tev_open(a->tev, a->out, a->options.settings.width, a->options.settings.height, &error)))
+    if (asked.tev &&
+        !(tev = tev_open(asked.tev, asked.out, asked.options.settings.width, asked.options.settings.height, &error)))
         return report_error(&error);
-    PassJob job = {a->scene, a->out, a->bits, a->quiet, &sound, tev};
-    bool ok = by_passes ? render_by_passes(&job, &a->passes, scene, &a->options, &stats, &error)
-                        : render_once(a, scene, tev, &sound, &stats, &error);
+    bool ok = by_passes ? render_by_passes(&asked, scene, tev, &sound, &stats, &error)
+                        : render_once(scene, tev, &sound, &stats, &error);
     if (tev && !tev_close(tev, &gone))
         report_error(&gone);
     if (!ok)
         report_error(&error);
-    if (!sound && a->code)
-        report_suspects(a->options.play);
-    return ok ? tell(a, &stats) : EXIT_INPUT;
+    if (!sound && asked.code)
+        report_suspects(asked.options.play);
+    return ok ? tell(&stats) : EXIT_INPUT;
 }
 
-int command_render(int count, char **arguments)
+static int run(void)
 {
-    Arguments a;
-    int wrong = parse(count, arguments, &a);
-    if (wrong)
-        return wrong == HELP_SHOWN ? 0 : wrong;
-    array_keep_memory();
-    guard_begin(a.code, a.options.threads);
     Error error = {""};
-    Scene *scene = file_may_write(a.out, &error) ? scene_load(a.scene, &error) : NULL;
+    if (!check(&error))
+        return report_usage("photonlab render", "%s", error.message);
+    array_keep_memory();
+    guard_begin(asked.code, asked.options.threads);
+    Scene *scene = file_may_write(asked.out, &error) ? scene_load(asked.scene, &error) : NULL;
     if (!scene)
         return report_error(&error);
-    int code = render(&a, scene);
+    int code = render(scene);
     scene_free(scene);
     return code;
 }
+
+const Command command_render = {
+    .words = "render a scene to a picture",
+    .line = {"photonlab render", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
+    .files = &asked.scene,
+    .run = run,
+};

@@ -11,7 +11,7 @@
 
 const char *const radii_names[] = {"pass", "pixel", NULL};
 
-bool pass_flags_given(const PassFlags *flags)
+bool passes_wanted(const RenderFlags *flags)
 {
     return flags->passes || flags->seconds > 0.0f || flags->resume;
 }
@@ -24,30 +24,27 @@ static bool parse_part(const char *text, PassOrigin *origin)
            origin->part <= origin->parts;
 }
 
-int pass_flags_check(const PassFlags *f, const char *out)
+bool pass_flags_check(const RenderFlags *f, Error *error)
 {
-    const char *command = "photonlab render";
     PassOrigin origin;
-    bool is_part_file = file_ends_in(out, PASS_FILE_ENDING);
-    if (!pass_flags_given(f)) {
-        if (is_part_file || f->part || f->alpha > 0.0f || f->radii.chosen >= 0)
-            return report_usage(command, "--alpha, --radii, --part and files of passes (" PASS_FILE_ENDING
-                                         ") belong to --passes or --seconds");
-        return 0;
-    }
-    if (f->part && !parse_part(f->part, &origin))
-        return report_usage(command, "--part %s: expected a part and how many there are, 3/8 say", f->part);
-    if (f->part && (!f->passes || f->seconds > 0.0f))
-        return report_usage(command, "--part %s: expected --passes, which it is a part of, and no --seconds", f->part);
-    if (f->part && origin.parts > f->passes)
-        return report_usage(command, "--part %s: %d passes cannot be parted into %d", f->part, f->passes, origin.parts);
-    if (f->part && !is_part_file)
-        return report_usage(command,
-                            "--part %s: gives no picture but a file for `photonlab merge`: -o part%d" PASS_FILE_ENDING,
-                            f->part, origin.part);
-    if (f->part && f->radii.chosen == 1)
-        return report_usage(command, "--part %s: with --radii pixel each pass needs the one before", f->part);
-    return 0;
+    bool is_part_file = file_ends_in(f->out, PASS_FILE_ENDING);
+    if (!passes_wanted(f) && (is_part_file || f->part || f->alpha > 0.0f || f->radii.chosen >= 0))
+        return error_set(error, "--alpha, --radii, --part and files of passes (" PASS_FILE_ENDING
+                                ") belong to --passes or --seconds");
+    if (!f->part)
+        return true;
+    if (!parse_part(f->part, &origin))
+        return error_set(error, "--part %s: expected a part and how many there are, 3/8 say", f->part);
+    if (!f->passes || f->seconds > 0.0f)
+        return error_set(error, "--part %s: expected --passes, which it is a part of, and no --seconds", f->part);
+    if (origin.parts > f->passes)
+        return error_set(error, "--part %s: %d passes cannot be parted into %d", f->part, f->passes, origin.parts);
+    if (!is_part_file)
+        return error_set(error,
+                         "--part %s: gives no picture but a file for `photonlab merge`: -o part%d" PASS_FILE_ENDING,
+                         f->part, origin.part);
+    return f->radii.chosen != 1 ||
+           error_set(error, "--part %s: with --radii pixel each pass needs the one before", f->part);
 }
 
 // ---- somebody wants it to stop ----
@@ -79,8 +76,9 @@ static void watch_for_stop(void)
 // ---- while it runs ----
 
 typedef struct {
-    const PassJob *job;
-    const PassFlags *flags;
+    const RenderFlags *flags;
+    Tev *tev;
+    bool *sound;
     PassOrigin origin;
     const Passes *passes;
     ProgressBar bar;
@@ -112,12 +110,12 @@ static void show_progress(void *user, const char *phase, double fraction)
 // The file that was asked for, as far as the passes are.
 static bool write_out(Talk *talk, Image *image)
 {
-    const PassJob *job = talk->job;
-    bool ok = file_ends_in(job->out, PASS_FILE_ENDING)
-                  ? pass_file_write(job->out, &talk->origin, talk->passes, talk->problem)
-                  : write_picture(image, job->out, job->bits, job->sound, talk->problem);
-    if (job->tev)
-        tev_show_all(job->tev, image);
+    const RenderFlags *flags = talk->flags;
+    bool ok = file_ends_in(flags->out, PASS_FILE_ENDING)
+                  ? pass_file_write(flags->out, &talk->origin, talk->passes, talk->problem)
+                  : write_picture(image, flags->out, flags->bits, talk->sound, talk->problem);
+    if (talk->tev)
+        tev_show_all(talk->tev, image);
     return ok;
 }
 
@@ -142,7 +140,7 @@ static double expected_error(const Talk *talk, int passes)
 static void tell(Talk *talk)
 {
     int done = talk->passes->done;
-    if (talk->job->quiet)
+    if (talk->flags->quiet)
         return;
     progress_bar_end(&talk->bar);
     fprintf(stderr, "%d pass%s, %.1f s", done, done == 1 ? "" : "es", clock_seconds() - talk->started);
@@ -174,7 +172,7 @@ static bool after_pass(void *user, const Passes *passes)
 // ---- before and after ----
 
 // What there is already, if it belongs to this picture. Its --passes may be others, unless it is a part.
-static bool resume(const PassFlags *flags, PassOrigin *origin, Passes *passes, Error *error)
+static bool resume(const RenderFlags *flags, PassOrigin *origin, Passes *passes, Error *error)
 {
     char differs[800];
     PassOrigin found;
@@ -212,40 +210,41 @@ static bool finish(Talk *talk, bool stopped, Error *error)
     if (!ok || !stopped)
         return ok;
     char path[4096];
-    snprintf(path, sizeof path, "%s%s", talk->job->out,
-             file_ends_in(talk->job->out, PASS_FILE_ENDING) ? "" : PASS_FILE_ENDING);
+    snprintf(path, sizeof path, "%s%s", talk->flags->out,
+             file_ends_in(talk->flags->out, PASS_FILE_ENDING) ? "" : PASS_FILE_ENDING);
     return pass_file_write(path, &talk->origin, passes, error) &&
            error_set(error, "stopped after %d of %d passes; to go on: the same command with --resume %s", passes->done,
                      wanted(talk), path);
 }
 
-bool render_by_passes(const PassJob *job, const PassFlags *flags, const Scene *scene, const RenderOptions *options,
-                      RenderStats *stats, Error *error)
+bool render_by_passes(const RenderFlags *flags, const Scene *scene, Tev *tev, bool *sound, RenderStats *stats,
+                      Error *error)
 {
+    RenderOptions options = flags->options;
     Passes passes = {.alpha = flags->alpha > 0.0f ? flags->alpha : PASS_ALPHA, .by_pixel = flags->radii.chosen == 1};
-    Talk talk = {.job = job,
-                 .flags = flags,
+    Talk talk = {.flags = flags,
+                 .tev = tev,
+                 .sound = sound,
                  .origin = {.part = 1, .parts = 1, .all = flags->passes ? flags->passes : MOST_PASSES},
                  .passes = &passes,
                  .problem = error,
                  .started = clock_seconds()};
-    if (passes.by_pixel && options->integrator != INTEGRATOR_PHOTONS)
+    if (passes.by_pixel && options.integrator != INTEGRATOR_PHOTONS)
         return error_set(error, "--radii pixel: expected the integrator photons");
     if (flags->part)
         parse_part(flags->part, &talk.origin);
-    if (!pass_origin_scene(job->scene, scene, &talk.origin, error))
+    if (!pass_origin_scene(flags->scene, scene, &talk.origin, error))
         return false;
-    pass_origin_settings(options, &passes, &talk.origin);
+    pass_origin_settings(&options, &passes, &talk.origin);
     pass_origin_range(&talk.origin, &passes.first, &passes.last);
     bool ok = !flags->resume || resume(flags, &talk.origin, &passes, error);
 
-    RenderOptions own = *options;
-    talk.drawn = progress_bar_start(&talk.bar, job->quiet);
-    own.progress = talk.drawn.report ? (Progress){show_progress, &talk} : talk.drawn;
+    talk.drawn = progress_bar_start(&talk.bar, flags->quiet);
+    options.progress = talk.drawn.report ? (Progress){show_progress, &talk} : talk.drawn;
     passes.heard = after_pass;
     passes.user = &talk;
     watch_for_stop();
-    ok = ok && passes_run(scene, &own, &passes, stats, error) && !talk.failed;
+    ok = ok && passes_run(scene, &options, &passes, stats, error) && !talk.failed;
     progress_bar_end(&talk.bar);
     ok = ok && finish(&talk, stop_asked && passes.done < wanted(&talk), error);
     image_free(&talk.before);

@@ -6,40 +6,33 @@
 #include "cli/tev.h"
 #include "render/passes/pass_file.h"
 
+// What the flags of `render` say.
 typedef struct {
+    const char *scene, *out, *code, *steps, *tev; // scene, out: files
+    int size[2];
+    Choice integrator;
+    int bits; // of a PNG
+    bool quiet, json, spectral;
+    int wavelengths;
     int passes;           // 0: no flag
     float seconds, alpha; // 0: no flag
     Choice radii;
     const char *part, *resume;
-} PassFlags;
-
-#define PASS_FLAGS(f)                                                                                                  \
-    {"passes", FLAG_INT, &(f).passes, 1, MOST_PASSES}, {"seconds", FLAG_FLOAT, &(f).seconds, 1e-3, 1e9},               \
-        {"alpha", FLAG_FLOAT, &(f).alpha, 1e-3, 1}, {"radii", FLAG_CHOICE, &(f).radii, 0, 0},                          \
-        {"part", FLAG_TEXT, &(f).part, 0, 0},                                                                          \
-    {                                                                                                                  \
-        "resume", FLAG_TEXT, &(f).resume, 0, 0                                                                         \
-    }
+    RenderSettings settings; // 0 or −1: no flag, so the scene's own value counts
+    RenderOptions options;
+} RenderFlags;
 
 extern const char *const radii_names[]; // "pass", "pixel"
 
 // Is the picture made by passes?
-bool pass_flags_given(const PassFlags *flags);
+bool passes_wanted(const RenderFlags *flags);
 
-// 0, or the exit code when they do not go together.
-int pass_flags_check(const PassFlags *flags, const char *out);
+// False, saying why, when the flags about passes do not go together.
+bool pass_flags_check(const RenderFlags *flags, Error *error);
 
-// What a render by passes needs beside.
-typedef struct {
-    const char *scene, *out; // files
-    int bits;                // of a PNG
-    bool quiet;
-    bool *sound; // becomes false when the picture holds what is no number
-    Tev *tev;    // shows it; NULL: nobody does
-} PassJob;
-
-// Renders and writes. False with the reason, which may be that somebody stopped it.
-bool render_by_passes(const PassJob *job, const PassFlags *flags, const Scene *scene, const RenderOptions *options,
-                      RenderStats *stats, Error *error);
+// Renders and writes; tev, unless it is NULL, shows it. *sound becomes false when the picture holds what is no number. False with
+// the reason, which may be that somebody stopped it.
+bool render_by_passes(const RenderFlags *flags, const Scene *scene, Tev *tev, bool *sound, RenderStats *stats,
+                      Error *error);
 
 #endif

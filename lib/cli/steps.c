@@ -13,6 +13,13 @@ static const char help[] =
     "  --hint ID      a hint for this step instead, e.g. --hint 2.1\n"
     "  --level N      1: where to look; 2: the formula; 3: nearly the code. Unset: 1\n";
 
+static const char *hint;
+static int level;
+static const Flag flags[] = {
+    {"hint", FLAG_TEXT, &hint, 0, 0},
+    {"level", FLAG_INT, &level, 1, HINT_COUNT},
+};
+
 static void print_table(void)
 {
     for (size_t i = 0; i < STEP_COUNT; i++) {
@@ -21,26 +28,16 @@ static void print_table(void)
     }
 }
 
-static int refuse_id(const char *id)
+static int refuse_hint(void)
 {
     char ids[16 * STEP_COUNT] = "";
     for (size_t i = 0; i < STEP_COUNT; i++)
         text_append(ids, sizeof ids, " %s", step_table[i].id);
-    return report_usage("photonlab steps", "--hint %s: no such step; there are%s", id, ids);
+    return report_usage("photonlab steps", "--hint %s: no such step; there are%s", hint, ids);
 }
 
-int command_steps(int count, char **arguments)
+static int run(void)
 {
-    const char *hint = NULL;
-    int level = 0;
-    const Flag flags[] = {
-        {"hint", FLAG_TEXT, &hint, 0, 0},
-        {"level", FLAG_INT, &level, 1, HINT_COUNT},
-    };
-    int wrong = command_line_parse(&(CommandLine){"photonlab steps", help, "no file", flags, FLAG_COUNT(flags), 0, 0},
-                                   count, arguments, NULL);
-    if (wrong)
-        return wrong == HELP_SHOWN ? 0 : wrong;
     if (level && !hint)
         return report_usage("photonlab steps", "--level %d: of which step? Add --hint ID", level);
     if (!hint) {
@@ -49,7 +46,7 @@ int command_steps(int count, char **arguments)
     }
     const StepInfo *step = step_find(hint);
     if (!step)
-        return refuse_id(hint);
+        return refuse_hint();
     Error error = {""};
     char *text = step_hint(step, level ? level : 1, &error);
     if (!text)
@@ -58,3 +55,9 @@ int command_steps(int count, char **arguments)
     free(text);
     return 0;
 }
+
+const Command command_steps = {
+    .words = "list the steps to write, and hints for them",
+    .line = {"photonlab steps", help, "no file", flags, FLAG_COUNT(flags), 0, 0},
+    .run = run,
+};

@@ -129,8 +129,9 @@ Tev *tev_open(const char *address, const char *name, int width, int height, Erro
     return tev;
 }
 
-void tev_show(Tev *tev, const Image *image, int x, int y, int width, int height)
+void tev_show(void *user, const Image *image, int x, int y, int width, int height)
 {
+    Tev *tev = user;
     unsigned char *at, *packet = NULL;
     if (tev->socket >= 0)
         packet = begin(tev, PACKET_UPDATE, sizeof(Colour) * (size_t)width * (size_t)height, &at);

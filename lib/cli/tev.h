@@ -12,8 +12,8 @@ typedef struct Tev Tev;
 Tev *tev_open(const char *address, const char *name, int width, int height, Error *error);
 
 // Shows a rectangle of the picture, or all of it. A viewer that has gone is told of by tev_close, and holds up nothing; one that takes
-// nothing for ten seconds counts as gone.
-void tev_show(Tev *tev, const Image *image, int x, int y, int width, int height);
+// nothing for ten seconds counts as gone. tev_show: a Tev takes RenderOptions.tiles.
+void tev_show(void *tev, const Image *image, int x, int y, int width, int height);
 void tev_show_all(Tev *tev, const Image *image);
 
 // False, with the error, when the viewer went before the end. The picture stays there.
