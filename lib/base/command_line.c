@@ -43,10 +43,31 @@ static bool parse_choice(const char *text, Choice *choice)
     return choice->names[i];
 }
 
+static bool is_whole(FlagKind kind)
+{
+    return kind == FLAG_INT || kind == FLAG_LONG || kind == FLAG_WHOLE;
+}
+
+static bool parse_number(const Flag *flag, const char *text)
+{
+    char *end;
+    double number = is_whole(flag->kind) ? (double)strtol(text, &end, 10) : (double)strtof(text, &end);
+    if (end == text || *end || !in_range(flag, number)) // what overflows is out of range
+        return false;
+    if (flag->kind == FLAG_INT)
+        *(int *)flag->value = (int)number;
+    else if (flag->kind == FLAG_LONG)
+        *(long *)flag->value = (long)number;
+    else if (flag->kind == FLAG_FLOAT)
+        *(float *)flag->value = (float)number;
+    else
+        *(double *)flag->value = number;
+    return true;
+}
+
 static bool take_flag(const Flag *flag, const char *text)
 {
     char *end;
-    errno = 0;
     switch (flag->kind) {
     case FLAG_PRESENT:
         *(bool *)flag->value = true;
@@ -62,35 +83,12 @@ static bool take_flag(const Flag *flag, const char *text)
     case FLAG_CHOICE:
         return parse_choice(text, flag->value);
     case FLAG_SEED:
+        errno = 0;
         *(uint64_t *)flag->value = strtoull(text, &end, 10);
         return end != text && !*end && errno == 0 && !strchr(text, '-');
-    case FLAG_INT:
-    case FLAG_LONG:
-    case FLAG_WHOLE: {
-        long whole = strtol(text, &end, 10);
-        if (end == text || *end || errno != 0 || !in_range(flag, (double)whole))
-            return false;
-        if (flag->kind == FLAG_INT)
-            *(int *)flag->value = (int)whole;
-        else if (flag->kind == FLAG_LONG)
-            *(long *)flag->value = whole;
-        else
-            *(double *)flag->value = (double)whole;
-        return true;
+    default:
+        return parse_number(flag, text);
     }
-    case FLAG_FLOAT:
-    case FLAG_NUMBER: {
-        float number = strtof(text, &end);
-        if (end == text || *end || !in_range(flag, (double)number))
-            return false;
-        if (flag->kind == FLAG_FLOAT)
-            *(float *)flag->value = number;
-        else
-            *(double *)flag->value = (double)number;
-        return true;
-    }
-    }
-    return false;
 }
 
 static int refuse_flag(const char *command, const Flag *flag, const char *text)
@@ -108,8 +106,7 @@ static int refuse_flag(const char *command, const Flag *flag, const char *text)
         return report_usage(command, "--%s %s: expected a whole number from 0 to 18446744073709551615", flag->name,
                             text);
     return report_usage(command, "--%s %s: expected a %s from %.10g to %.10g", flag->name, text,
-                        flag->kind == FLAG_FLOAT || flag->kind == FLAG_NUMBER ? "number" : "whole number", flag->low,
-                        flag->high);
+                        is_whole(flag->kind) ? "whole number" : "number", flag->low, flag->high);
 }
 
 int command_line_parse(const CommandLine *line, int count, char **arguments, const char **files)
