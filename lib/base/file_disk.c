@@ -19,28 +19,24 @@ char *file_read(const char *path, size_t most, size_t *size, Error *error)
     struct stat status;
     FILE *stream = NULL;
     char *bytes = NULL;
-    if (stat(path, &status) == 0) {
-        if (!S_ISREG(status.st_mode)) { // before opening: a pipe would wait for ever
-            refuse_irregular(path, &status, error);
-            return NULL;
-        }
-        if ((unsigned long long)status.st_size > most) {
-            error_set(error, "%s: is %lld bytes long; expected at most %zu", path, (long long)status.st_size, most);
-            return NULL;
-        }
-        stream = fopen(path, "rb");
-    }
-    if (stream && !(bytes = malloc((size_t)status.st_size + 1))) {
+    bool is_there = stat(path, &status) == 0;
+    if (is_there && !S_ISREG(status.st_mode)) // before opening: a pipe would wait for ever
+        refuse_irregular(path, &status, error);
+    else if (is_there && (unsigned long long)status.st_size > most)
+        error_set(error, "%s: is %lld bytes long; expected at most %zu", path, (long long)status.st_size, most);
+    else if (!is_there || !(stream = fopen(path, "rb")))
+        error_set(error, "%s: cannot be read: %s", path, strerror(errno));
+    else if (!(bytes = malloc((size_t)status.st_size + 1)))
         error_set(error, "%s: no memory for %zu bytes", path, (size_t)status.st_size);
-    } else if (stream) {
+    else
         *size = fread(bytes, 1, (size_t)status.st_size, stream);
-        bytes[*size] = '\0';
-    }
-    if (!stream || ferror(stream)) {
+    if (bytes && ferror(stream)) {
         error_set(error, "%s: cannot be read: %s", path, strerror(errno));
         free(bytes);
         bytes = NULL;
     }
+    if (bytes)
+        bytes[*size] = '\0';
     if (stream)
         fclose(stream);
     return bytes;
