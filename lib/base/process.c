@@ -38,14 +38,6 @@ bool write_all(int file, const void *bytes, size_t size)
     return true;
 }
 
-static void set_stream(posix_spawn_file_actions_t *actions, int stream, bool wanted, int pipe)
-{
-    if (wanted)
-        posix_spawn_file_actions_adddup2(actions, pipe, stream);
-    else
-        posix_spawn_file_actions_addopen(actions, stream, "/dev/null", O_RDWR, 0);
-}
-
 bool process_start(Process *process, const char *const *arguments, ProcessPrints prints)
 {
     int ends[2];
@@ -56,9 +48,11 @@ bool process_start(Process *process, const char *const *arguments, ProcessPrints
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     posix_spawn_file_actions_init(&actions);
-    set_stream(&actions, STDIN_FILENO, false, -1);
-    set_stream(&actions, STDOUT_FILENO, prints != PRINTS_ERRORS, ends[1]);
-    set_stream(&actions, STDERR_FILENO, prints != PRINTS_OUTPUT, ends[1]);
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
+        if (prints & 1 << stream)
+            posix_spawn_file_actions_adddup2(&actions, ends[1], stream);
+        else
+            posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&attributes, 0);

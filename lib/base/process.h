@@ -19,7 +19,7 @@ bool pipe_open(int ends[2]);
 
 // Starts arguments[0], looked for as a shell does, in a process group of its own; it, and whatever is started later, with
 // LC_ALL=C, since what it says is looked through for English words. What it prints is read from `output`: all, or standard output or standard error alone.
-typedef enum { PRINTS_ALL, PRINTS_OUTPUT, PRINTS_ERRORS } ProcessPrints;
+typedef enum { PRINTS_OUTPUT = 2, PRINTS_ERRORS = 4, PRINTS_ALL = 6 } ProcessPrints; // bits by the streams' numbers
 bool process_start(Process *process, const char *const *arguments, ProcessPrints prints); // false: errno
 // Takes what has come, up to size − 1 bytes in all; what is too much is thrown away. `output` is closed at its end.
 void process_read(Process *process, char *text, size_t size, size_t *used);
