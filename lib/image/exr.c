@@ -10,7 +10,6 @@
 typedef struct {
     const char *name;
     Error *error;
-    bool told;                  // the first reason counts
     const unsigned char *bytes; // reading
     size_t size;
     FILE *stream; // writing
@@ -19,13 +18,9 @@ typedef struct {
 static void on_error(exr_const_context_t context, exr_result_t code, const char *message)
 {
     void *user = NULL;
-    if (exr_get_user_data(context, &user) != EXR_ERR_SUCCESS || !user)
-        return;
-    File *file = user;
     (void)code;
-    if (!file->told)
-        error_set(file->error, "%s: EXR: %s", file->name, message);
-    file->told = true;
+    if (exr_get_user_data(context, &user) == EXR_ERR_SUCCESS && user)
+        error_set(((File *)user)->error, "%s: EXR: %s", ((File *)user)->name, message);
 }
 
 // Near the file's end it asks for more than there is, and looks at how much that was.
@@ -68,19 +63,14 @@ static exr_context_initializer_t start(File *file)
 }
 
 // True when it went well; a reason of OpenEXR's own, where none was told.
-static bool went_well(File *file, exr_result_t result)
+static bool went_well(const File *file, exr_result_t result)
 {
-    if (result == EXR_ERR_SUCCESS)
-        return true;
-    if (!file->told)
-        error_set(file->error, "%s: EXR: %s", file->name, exr_get_default_error_message(result));
-    file->told = true;
-    return false;
+    return result == EXR_ERR_SUCCESS ||
+           error_set(file->error, "%s: EXR: %s", file->name, exr_get_default_error_message(result));
 }
 
-static bool refuse(File *file, const char *found, const char *expected)
+static bool refuse(const File *file, const char *found, const char *expected)
 {
-    file->told = true;
     return error_set(file->error, "%s: EXR: %s; expected %s", file->name, found, expected);
 }
 
@@ -94,7 +84,7 @@ static int place_of(const char *name)
     return -1;
 }
 
-static bool check_channels(File *file, exr_context_t context, bool *grey)
+static bool check_channels(const File *file, exr_context_t context, bool *grey)
 {
     const exr_attr_chlist_t *list;
     exr_storage_t storage;
@@ -131,7 +121,7 @@ static void aim(exr_coding_channel_info_t *channels, int count, const Image *ima
     }
 }
 
-static bool read_rows(File *file, exr_context_t context, const Image *image, int top)
+static bool read_rows(const File *file, exr_context_t context, const Image *image, int top)
 {
     exr_decode_pipeline_t decode = EXR_DECODE_PIPELINE_INITIALIZER;
     exr_chunk_info_t chunk;
@@ -150,19 +140,15 @@ static bool read_rows(File *file, exr_context_t context, const Image *image, int
     return ok;
 }
 
-static bool read_all(File *file, exr_context_t context, Image *image)
+static bool read_all(const File *file, exr_context_t context, Image *image)
 {
     exr_attr_box2i_t window;
     bool grey = false;
     if (!check_channels(file, context, &grey) || !went_well(file, exr_get_data_window(context, 0, &window)))
         return false;
-    file->told = true; // from here on others tell
     long width = (long)window.max.x - window.min.x + 1, height = (long)window.max.y - window.min.y + 1;
     if (!image_check_size(width, height, file->name, file->error) ||
-        !image_create(image, (int)width, (int)height, file->error))
-        return false;
-    file->told = false;
-    if (!read_rows(file, context, image, window.min.y))
+        !image_create(image, (int)width, (int)height, file->error) || !read_rows(file, context, image, window.min.y))
         return false;
     for (size_t i = 0; grey && i < (size_t)image->width * (size_t)image->height; i++)
         image->pixels[i] = colour_grey(image->pixels[i].r);
@@ -184,7 +170,7 @@ static bool decode(Image *image, const unsigned char *bytes, size_t size, const 
     return ok;
 }
 
-static bool write_rows(File *file, exr_context_t context, const Image *image)
+static bool write_rows(const File *file, exr_context_t context, const Image *image)
 {
     exr_encode_pipeline_t encode = EXR_ENCODE_PIPELINE_INITIALIZER;
     exr_chunk_info_t chunk;
