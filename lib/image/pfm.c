@@ -5,6 +5,7 @@
 #include "base/text.h"
 
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 // The header as it is read: where we are, and in which line.
@@ -12,14 +13,10 @@ typedef struct {
     const unsigned char *bytes;
     size_t size, at;
     int line;
+    char word[32]; // the last; for messages: cut where it is too long, '?' for what cannot be printed
     const char *name;
     Error *error;
 } Header;
-
-typedef struct {
-    char text[32]; // for messages: cut where it is too long, '?' for what cannot be printed
-    int line;
-} Word;
 
 static bool is_space(unsigned char c)
 {
@@ -28,38 +25,33 @@ static bool is_space(unsigned char c)
 
 // The next word; empty at the end of the file. Leaves the space behind it: one such byte ends the header, and
 // the next may be a pixel that looks like space.
-static Word next_word(Header *header)
+static const char *next_word(Header *header)
 {
     for (; header->at < header->size && is_space(header->bytes[header->at]); header->at++)
         header->line += header->bytes[header->at] == '\n';
-    Word word = {.line = header->line};
+    memset(header->word, 0, sizeof header->word);
     for (size_t i = 0; header->at < header->size && !is_space(header->bytes[header->at]); header->at++, i++) {
         unsigned char c = header->bytes[header->at];
-        size_t last = sizeof word.text - 2;
-        word.text[i < last ? i : last] = c > 32 && c < 127 && i < last ? (char)c : '?';
+        size_t last = sizeof header->word - 2;
+        header->word[i < last ? i : last] = c > 32 && c < 127 && i < last ? (char)c : '?';
     }
-    return word;
+    return header->word;
 }
 
-static bool unexpected(const Header *header, const Word *word, const char *expected)
+static bool unexpected(const Header *header, const char *expected)
 {
-    if (!word->text[0])
-        return error_set(header->error, "%s:%d: the file ends; expected %s", header->name, word->line, expected);
-    return error_set(header->error, "%s:%d: found \"%s\"; expected %s", header->name, word->line, word->text, expected);
+    if (!header->word[0])
+        return error_set(header->error, "%s:%d: the file ends; expected %s", header->name, header->line, expected);
+    return error_set(header->error, "%s:%d: found \"%s\"; expected %s", header->name, header->line, header->word,
+                     expected);
 }
 
 static bool read_side(Header *header, long *side, const char *expected)
 {
-    Word word = next_word(header);
-    size_t digits = strspn(word.text, "0123456789");
-    if (digits == 0 || word.text[digits])
-        return unexpected(header, &word, expected);
-    *side = 0;
-    for (size_t i = 0; i < digits; i++)
-        *side = *side > IMAGE_MAX_SIDE ? *side : 10 * *side + (word.text[i] - '0');
-    if (*side < 1 || *side > IMAGE_MAX_SIDE)
-        return unexpected(header, &word, expected);
-    return true;
+    const char *word = next_word(header);
+    *side = strtol(word, NULL, 10);
+    bool is_side = strspn(word, "0123456789") == strlen(word) && *side >= 1 && *side <= IMAGE_MAX_SIDE;
+    return is_side || unexpected(header, expected);
 }
 
 static bool is_scale(const char *text)
@@ -71,8 +63,9 @@ static bool is_scale(const char *text)
 
 static float read_float(const unsigned char *b, bool little)
 {
-    uint32_t bits = little ? b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24
-                           : b[3] | (uint32_t)b[2] << 8 | (uint32_t)b[1] << 16 | (uint32_t)b[0] << 24;
+    uint32_t bits = 0;
+    for (int i = 0; i < 4; i++)
+        bits |= (uint32_t)b[little ? i : 3 - i] << (8 * i);
     float value;
     memcpy(&value, &bits, sizeof value);
     return value;
@@ -81,14 +74,10 @@ static float read_float(const unsigned char *b, bool little)
 static void read_pixels(Image *image, const unsigned char *bytes, size_t channels, bool little)
 {
     for (int row = image->height - 1; row >= 0; row--)
-        for (int column = 0; column < image->width; column++, bytes += 4 * channels) {
-            Colour *pixel = image_at(image, column, row);
-            *pixel = colour_grey(read_float(bytes, little));
-            if (channels == 3) {
-                pixel->g = read_float(bytes + 4, little);
-                pixel->b = read_float(bytes + 8, little);
-            }
-        }
+        for (int column = 0; column < image->width; column++, bytes += 4 * channels)
+            for (size_t c = 0; c < 3; c++)
+                colour_set_channel(image_at(image, column, row), (int)c,
+                                   read_float(bytes + 4 * (c % channels), little));
 }
 
 // The file's length is compared with what the header promises before memory is asked for.
@@ -109,24 +98,22 @@ bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size
     *image = (Image){0};
     Header header = {.bytes = bytes, .size = size, .line = 1, .name = name, .error = error};
     long width, height;
-    Word kind = next_word(&header);
-    bool colour = strcmp(kind.text, "PF") == 0;
-    if (!colour && strcmp(kind.text, "Pf") != 0)
-        return unexpected(&header, &kind, "\"PF\" (three channels) or \"Pf\" (one)");
+    const char *word = next_word(&header);
+    size_t channels = strcmp(word, "PF") == 0 ? 3 : 1;
+    if (channels == 1 && strcmp(word, "Pf") != 0)
+        return unexpected(&header, "\"PF\" (three channels) or \"Pf\" (one)");
     if (!read_side(&header, &width, "the width, a whole number from 1 to 65536") ||
         !read_side(&header, &height, "the height, a whole number from 1 to 65536") ||
         !image_check_size(width, height, name, error))
         return false;
-    Word scale = next_word(&header);
-    if (!is_scale(scale.text))
-        return unexpected(&header, &scale, "the scale, a number other than 0 (-1: little-endian, 1: big-endian)");
+    if (!is_scale(next_word(&header)))
+        return unexpected(&header, "the scale, a number other than 0 (-1: little-endian, 1: big-endian)");
     if (header.at < size)
         header.at++; // the one space that ends the header
-    size_t channels = colour ? 3 : 1;
     if (!check_length(&header, 4ull * channels * (unsigned long)width * (unsigned long)height) ||
         !image_create(image, (int)width, (int)height, error))
         return false;
-    read_pixels(image, bytes + header.at, channels, scale.text[0] == '-');
+    read_pixels(image, bytes + header.at, channels, word[0] == '-');
     if (image_check_finite(image, name, error))
         return true;
     image_free(image);
