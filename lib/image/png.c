@@ -12,6 +12,7 @@
 #define MAX_COMPRESSION 1032ull
 #define MAX_CHUNK_BYTES 1000000 // for one piece of metadata
 #define SIGNATURE_BYTES 8
+#define ENCODED_BYTES   6 // of a pixel, at the most
 
 typedef struct {
     png_structp png;
@@ -60,17 +61,14 @@ static void on_write(png_structp png, png_bytep bytes, size_t count)
 
 // One row from encoded bytes, which stand where its pixels belong, to linear floats. From the right to the
 // left: a pixel's 12 bytes cover only encoded bytes that are used up.
-static void decode_row(Colour *pixels, int width, int bits)
+static void decode_row(Colour *pixels, int width)
 {
-    const unsigned char *bytes = (const unsigned char *)pixels;
     for (int column = width - 1; column >= 0; column--) {
-        float linear[3];
-        for (int channel = 0; channel < 3; channel++) {
-            size_t i = 3 * (size_t)column + (size_t)channel;
-            linear[channel] = bits == 8 ? srgb_decode((float)bytes[i] / 255.0f)
-                                        : srgb_decode((float)(bytes[2 * i] << 8 | bytes[2 * i + 1]) / 65535.0f);
-        }
-        pixels[column] = colour(linear[0], linear[1], linear[2]);
+        const unsigned char *bytes = (const unsigned char *)pixels + ENCODED_BYTES * (size_t)column;
+        Colour linear;
+        for (int channel = 0; channel < 3; channel++, bytes += 2)
+            colour_set_channel(&linear, channel, srgb_decode((float)(bytes[0] << 8 | bytes[1]) / 65535.0f));
+        pixels[column] = linear;
     }
 }
 
@@ -90,14 +88,13 @@ static bool read_all(Codec *codec)
         return false;
     if (1ull * png_get_rowbytes(codec->png, codec->info) * (unsigned long)height > codec->size * MAX_COMPRESSION)
         png_error(codec->png, "truncated: the file is too short for its number of pixels");
-    // Whatever the file holds, libpng hands out rows of red, green and blue with 8 or 16 bits each.
-    png_set_expand(codec->png); // palettes to colours, grey of 1, 2, 4 bits to 8
+    // Whatever the file holds, libpng hands out rows of red, green and blue with 16 bits each.
+    png_set_expand_16(codec->png); // palettes to colours, too
     png_set_gray_to_rgb(codec->png);
     png_set_strip_alpha(codec->png);
     int passes = png_set_interlace_handling(codec->png);
     png_read_update_info(codec->png, codec->info);
-    int bits = png_get_bit_depth(codec->png, codec->info);
-    if (png_get_rowbytes(codec->png, codec->info) != 3 * (size_t)bits / 8 * (size_t)width)
+    if (png_get_rowbytes(codec->png, codec->info) != ENCODED_BYTES * (size_t)width)
         png_error(codec->png, "the rows are not red, green and blue");
     if (!image_create(codec->image, (int)width, (int)height, codec->error))
         return false;
@@ -106,7 +103,7 @@ static bool read_all(Codec *codec)
             png_read_row(codec->png, (png_bytep)image_at(codec->image, 0, row), NULL);
     png_read_end(codec->png, NULL);
     for (int row = 0; row < codec->image->height; row++)
-        decode_row(image_at(codec->image, 0, row), codec->image->width, bits);
+        decode_row(image_at(codec->image, 0, row), codec->image->width);
     return true;
 }
 
@@ -162,7 +159,7 @@ static bool write_all(Codec *codec, int bits)
 static bool encode(const Image *image, FILE *stream, const char *name, int bits, Error *error)
 {
     Codec codec = {.name = name, .error = error, .source = image};
-    codec.row = malloc(6 * (size_t)image->width);
+    codec.row = malloc(ENCODED_BYTES * (size_t)image->width);
     codec.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &codec, on_error, on_warning);
     codec.info = codec.png ? png_create_info_struct(codec.png) : NULL;
     bool good = false;
