@@ -26,14 +26,9 @@ int report_error(const Error *error);
 
 #define MOST_THREADS 1024
 
-// A bar with the time that is left, on standard error, when that is a terminal; silent otherwise.
-typedef struct {
-    double started, drawn;
-    char phase[32];
-    bool wanted, shown;
-} ProgressBar;
-Progress progress_bar_start(ProgressBar *bar, bool quiet);
-void progress_bar_end(ProgressBar *bar);
+// A bar with the time that is left, on standard error, when that is a terminal; silent otherwise. There is one.
+Progress progress_bar_start(bool quiet);
+void progress_bar_end(void);
 
 // Before the work: which steps the student's code plays, and which are there but do not play.
 void report_steps(StepChoice choice, bool path_tracer);
@@ -50,6 +45,15 @@ bool write_picture(Image *image, const char *path, int bits, bool *sound, Error 
 
 // After a picture that could not be written: where a value that is no number may have come from.
 void report_suspects(StepChoice choice);
+
+// A command that plays students' code works in a process of its own: where that crashes or never ends, the other one says in
+// which step and line. Splits the program in two, before there are threads or scenes. Returns in the one that works; the other
+// waits, explains and ends with the same exit code, or EXIT_INPUT. `code`: the folder of the objects; NULL: nothing happens.
+// `threads`: as for parallel_threads, how many will work. Where no process can be had, the work goes on unguarded.
+void guard_begin(const char *code, int threads);
+
+// A sign of life from the work: a part of it is done.
+void guard_alive(void);
 
 void print_ledger_json(const Ledger *ledger);
 

@@ -1,5 +1,4 @@
 #include "cli/cli.h"
-#include "cli/guard.h"
 #include "photons/pass/oddities.h"
 
 #include <math.h>
@@ -13,39 +12,45 @@ int report_error(const Error *error)
     return EXIT_INPUT;
 }
 
+static struct {
+    double started, drawn;
+    char phase[32];
+    bool wanted, shown;
+} bar;
+
 static void draw_bar(void *user, const char *phase, double fraction)
 {
-    ProgressBar *bar = user;
+    (void)user;
     guard_alive();
-    if (!bar->wanted)
+    if (!bar.wanted)
         return;
     double now = clock_seconds();
-    if (strcmp(bar->phase, phase) != 0) {
-        snprintf(bar->phase, sizeof bar->phase, "%s", phase);
-        bar->started = now;
-        bar->drawn = 0.0;
+    if (strcmp(bar.phase, phase) != 0) {
+        snprintf(bar.phase, sizeof bar.phase, "%s", phase);
+        bar.started = now;
+        bar.drawn = 0.0;
     }
-    if (now - bar->drawn < 0.1 && fraction < 1.0)
+    if (now - bar.drawn < 0.1 && fraction < 1.0)
         return;
-    bar->drawn = now;
-    bar->shown = true;
+    bar.drawn = now;
+    bar.shown = true;
     int full = (int)(30.0 * fraction);
-    double elapsed = now - bar->started;
+    double elapsed = now - bar.started;
     double left = fraction > 0.0 ? elapsed * (1.0 - fraction) / fraction : 0.0;
     fprintf(stderr, "\r%-9s [%.*s%.*s] %3.0f %%  %.0f s left   ", phase, full, "##############################",
             30 - full, "..............................", 100.0 * fraction, ceil(left));
     fflush(stderr);
 }
 
-Progress progress_bar_start(ProgressBar *bar, bool quiet)
+Progress progress_bar_start(bool quiet)
 {
-    *bar = (ProgressBar){.wanted = !quiet && isatty(STDERR_FILENO)};
-    return (Progress){draw_bar, bar};
+    bar.wanted = !quiet && isatty(STDERR_FILENO);
+    return (Progress){draw_bar, NULL};
 }
 
-void progress_bar_end(ProgressBar *bar)
+void progress_bar_end(void)
 {
-    if (bar->shown)
+    if (bar.shown)
         fprintf(stderr, "\r%70s\r", "");
 }
 

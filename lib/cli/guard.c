@@ -1,5 +1,4 @@
 // What the guarded process tells of its end goes down a pipe, as one Fall; a later one knows more than an earlier.
-#include "cli/guard.h"
 #include "cli/cli.h"
 #include "base/crash_report.h"
 #include "base/crash_words.h"
@@ -75,11 +74,7 @@ static void watch(void)
 {
     const int fatal[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP};
     crash_watch(on_crash, fatal, sizeof fatal / sizeof *fatal);
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = on_tick;
-    action.sa_flags = SA_RESTART;
-    sigaction(SIGPROF, &action, NULL);
+    signal(SIGPROF, on_tick);
     const struct itimerval every = {{TICK, 0}, {TICK, 0}};
     setitimer(ITIMER_PROF, &every, NULL);
 #if defined(__linux__)
@@ -133,15 +128,9 @@ static void wait_for(pid_t child, int in)
 {
     Fall next;
     int status = 0;
-    size_t used = 0;
     signal(SIGINT, SIG_IGN); // the one who works knows what to do
-    for (ssize_t got; (got = read(in, (char *)&next + used, sizeof next - used)) > 0 || (got < 0 && errno == EINTR);) {
-        used += got > 0 ? (size_t)got : 0;
-        if (used == sizeof next) {
-            fall = next;
-            used = 0;
-        }
-    }
+    for (FILE *falls = fdopen(in, "rb"); falls && fread(&next, sizeof next, 1, falls) == 1;)
+        fall = next;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;
     if (fall.signal)

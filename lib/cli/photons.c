@@ -1,5 +1,4 @@
 #include "cli/cli.h"
-#include "cli/guard.h"
 #include "base/file.h"
 #include "photons/photon_file.h"
 
@@ -68,11 +67,10 @@ static int run(void)
     steps_play(options.play);
     parallel_limit(options.threads);
 
-    ProgressBar bar;
-    options.progress = progress_bar_start(&bar, quiet);
+    options.progress = progress_bar_start(quiet);
     PhotonPass pass;
     bool ok = photon_pass_run(scene, &options, &pass, &error);
-    progress_bar_end(&bar);
+    progress_bar_end();
     ok = ok && photon_file_write(pass.rest.photons, pass.rest.count, out, &error);
     scene_free(scene);
     if (!ok)

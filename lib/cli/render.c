@@ -1,4 +1,3 @@
-#include "cli/guard.h"
 #include "cli/render_passes.h"
 #include "cli/tev.h"
 #include "base/array.h"
@@ -44,71 +43,70 @@ static const char help[] =
     "  --quiet              no progress and no summary\n"
     "  --json               one line of JSON on standard output: counts, rays, seconds, the energy ledger\n";
 
-static RenderFlags asked = {.integrator = {integrator_names, -1}, // −1: as the scene says
-                            .bits = 8,
-                            .wavelengths = 3,
-                            .settings = {.radius = -1.0f},
-                            .radii = {radii_names, -1},
-                            .options = {.glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
+static const char *const radii_names[] = {"pass", "pixel", NULL};
+static RenderJob job = {
+    .sound = true,
+    .integrator = {integrator_names, -1}, // −1: as the scene says
+    .bits = 8,
+    .wavelengths = 3,
+    .radii = {radii_names, -1},
+    .options = {.settings = {.radius = -1.0f}, .glass_sides = 2, .reuse = REUSE_DEFAULT, .seed = 1}};
 static const Flag flags[] = {
-    {"o", FLAG_TEXT, &asked.out, 0, 0},
-    {"bits", FLAG_INT, &asked.bits, 8, 16},
-    {"integrator", FLAG_CHOICE, &asked.integrator, 0, 0},
-    {"photons", FLAG_LONG, &asked.settings.photons, 1, MOST_PHOTONS},
-    {"k", FLAG_INT, &asked.settings.k, 1, MOST_K},
-    {"radius", FLAG_FLOAT, &asked.settings.radius, 0, SCENE_LARGEST_NUMBER},
-    {"samples", FLAG_INT, &asked.settings.samples, 1, MOST_SAMPLES},
-    {"size", FLAG_SIZE, asked.size, 1, MOST_SIDE},
-    {"depth", FLAG_INT, &asked.settings.depth, 1, MOST_DEPTH},
-    {"seed", FLAG_SEED, &asked.options.seed, 0, 0},
-    {"threads", FLAG_INT, &asked.options.threads, 0, MOST_THREADS},
-    {"reuse", FLAG_FLOAT, &asked.options.reuse, 0, 1},
-    {"code", FLAG_TEXT, &asked.code, 0, 0},
-    {"steps", FLAG_TEXT, &asked.steps, 0, 0},
-    {"passes", FLAG_INT, &asked.passes, 1, MOST_PASSES},
-    {"seconds", FLAG_FLOAT, &asked.seconds, 1e-3, 1e9},
-    {"alpha", FLAG_FLOAT, &asked.alpha, 1e-3, 1},
-    {"radii", FLAG_CHOICE, &asked.radii, 0, 0},
-    {"part", FLAG_TEXT, &asked.part, 0, 0},
-    {"resume", FLAG_TEXT, &asked.resume, 0, 0},
-    {"spectral", FLAG_PRESENT, &asked.spectral, 0, 0},
-    {"wavelengths", FLAG_INT, &asked.wavelengths, 1, 3},
-    {"glass-sides", FLAG_INT, &asked.options.glass_sides, 1, 2},
-    {"tev", FLAG_TEXT, &asked.tev, 0, 0},
-    {"quiet", FLAG_PRESENT, &asked.quiet, 0, 0},
-    {"json", FLAG_PRESENT, &asked.json, 0, 0},
+    {"o", FLAG_TEXT, &job.out, 0, 0},
+    {"bits", FLAG_INT, &job.bits, 8, 16},
+    {"integrator", FLAG_CHOICE, &job.integrator, 0, 0},
+    {"photons", FLAG_LONG, &job.options.settings.photons, 1, MOST_PHOTONS},
+    {"k", FLAG_INT, &job.options.settings.k, 1, MOST_K},
+    {"radius", FLAG_FLOAT, &job.options.settings.radius, 0, SCENE_LARGEST_NUMBER},
+    {"samples", FLAG_INT, &job.options.settings.samples, 1, MOST_SAMPLES},
+    {"size", FLAG_SIZE, job.size, 1, MOST_SIDE},
+    {"depth", FLAG_INT, &job.options.settings.depth, 1, MOST_DEPTH},
+    {"seed", FLAG_SEED, &job.options.seed, 0, 0},
+    {"threads", FLAG_INT, &job.options.threads, 0, MOST_THREADS},
+    {"reuse", FLAG_FLOAT, &job.options.reuse, 0, 1},
+    {"code", FLAG_TEXT, &job.code, 0, 0},
+    {"steps", FLAG_TEXT, &job.steps, 0, 0},
+    {"passes", FLAG_INT, &job.passes, 1, MOST_PASSES},
+    {"seconds", FLAG_FLOAT, &job.seconds, 1e-3, 1e9},
+    {"alpha", FLAG_FLOAT, &job.alpha, 1e-3, 1},
+    {"radii", FLAG_CHOICE, &job.radii, 0, 0},
+    {"part", FLAG_TEXT, &job.part, 0, 0},
+    {"resume", FLAG_TEXT, &job.resume, 0, 0},
+    {"spectral", FLAG_PRESENT, &job.spectral, 0, 0},
+    {"wavelengths", FLAG_INT, &job.wavelengths, 1, 3},
+    {"glass-sides", FLAG_INT, &job.options.glass_sides, 1, 2},
+    {"tev", FLAG_TEXT, &job.tev, 0, 0},
+    {"quiet", FLAG_PRESENT, &job.quiet, 0, 0},
+    {"json", FLAG_PRESENT, &job.json, 0, 0},
 };
 
 // What no flag alone can tell.
 static bool check(Error *error)
 {
-    if (asked.bits != 8 && asked.bits != 16)
-        return error_set(error, "--bits %d: expected 8 or 16", asked.bits);
-    if (!asked.out)
+    if (job.bits != 8 && job.bits != 16)
+        return error_set(error, "--bits %d: expected 8 or 16", job.bits);
+    if (!job.out)
         return error_set(error, "say where to write the picture: -o OUT.png");
-    if (asked.wavelengths == 2)
+    if (job.wavelengths == 2)
         return error_set(error, "--wavelengths 2: expected 1 or 3");
-    if (asked.options.glass_sides == 1 && asked.integrator.chosen == INTEGRATOR_PATH)
+    if (job.options.glass_sides == 1 && job.integrator.chosen == INTEGRATOR_PATH)
         return error_set(error, "--glass-sides 1: the path tracer knows whole glass only");
-    return pass_flags_check(&asked, error) &&
-           (file_ends_in(asked.out, PASS_FILE_ENDING) || image_path_is_known(asked.out, error)) &&
-           (!asked.steps || step_choice_parse(asked.steps, &asked.options.play, error));
+    return pass_flags_check(&job, error) &&
+           (file_ends_in(job.out, PASS_FILE_ENDING) || image_path_is_known(job.out, error)) &&
+           (!job.steps || step_choice_parse(job.steps, &job.options.play, error));
 }
 
-// The scene's settings, but for those that flags replace. Many passes have an eye ray each.
-static RenderSettings settings_with(const RenderSettings *own)
+// What no flag says, the scene does. Many passes have an eye ray each.
+static void complete_settings(const RenderSettings *own)
 {
-    const RenderSettings *flag = &asked.settings;
-    int samples = passes_wanted(&asked) ? 1 : own->samples;
-    return (RenderSettings){
-        .width = asked.size[0] ? asked.size[0] : own->width,
-        .height = asked.size[1] ? asked.size[1] : own->height,
-        .samples = flag->samples ? flag->samples : samples,
-        .photons = flag->photons ? flag->photons : own->photons,
-        .k = flag->k ? flag->k : own->k,
-        .radius = flag->radius >= 0.0f ? flag->radius : own->radius,
-        .depth = flag->depth ? flag->depth : own->depth,
-    };
+    RenderSettings *s = &job.options.settings;
+    s->width = job.size[0] ? job.size[0] : own->width;
+    s->height = job.size[1] ? job.size[1] : own->height;
+    s->samples = s->samples ? s->samples : passes_wanted(&job) ? 1 : own->samples;
+    s->photons = s->photons ? s->photons : own->photons;
+    s->k = s->k ? s->k : own->k;
+    s->radius = s->radius >= 0.0f ? s->radius : own->radius;
+    s->depth = s->depth ? s->depth : own->depth;
 }
 
 static void print_json(const RenderStats *s)
@@ -124,70 +122,67 @@ static void print_json(const RenderStats *s)
     printf("}\n");
 }
 
-static bool render_once(const Scene *scene, Tev *tev, bool *sound, RenderStats *stats, Error *error)
+static bool render_once(const Scene *scene, RenderStats *stats, Error *error)
 {
-    ProgressBar bar;
     Image image = {0, 0, NULL};
-    asked.options.tiles.take = tev ? tev_show : NULL;
-    asked.options.tiles.user = tev;
-    asked.options.progress = progress_bar_start(&bar, asked.quiet);
-    bool ok = render_image(scene, &asked.options, &image, stats, error);
-    progress_bar_end(&bar);
-    ok = ok && write_picture(&image, asked.out, asked.bits, sound, error);
-    if (tev && !*sound)
-        tev_show_all(tev, &image); // with what was marked
+    job.options.tiles.take = job.viewer ? tev_show : NULL;
+    job.options.tiles.user = job.viewer;
+    job.options.progress = progress_bar_start(job.quiet);
+    bool ok = render_image(scene, &job.options, &image, stats, error);
+    progress_bar_end();
+    ok = ok && write_picture(&image, job.out, job.bits, &job.sound, error);
+    if (job.viewer && !job.sound)
+        tev_show_all(job.viewer, &image); // with what was marked
     image_free(&image);
     return ok;
 }
 
-// After the picture: what there is to tell. The exit code.
-static int tell(const RenderStats *stats)
+// After the picture: what there is to tell.
+static void tell(const RenderStats *stats)
 {
-    if (!asked.quiet) {
+    if (!job.quiet) {
         report_oddities(&stats->ledger, stats->photons_emitted, &stats->unsound);
         if (stats->estimates)
             fprintf(stderr, "%zu estimates of irradiance in %.1f s\n", stats->estimates, stats->gather_seconds);
-        fprintf(stderr, "%s: %d×%d, %ld photons emitted, %zu stored; %.1f s photons, %.1f s map, %.1f s eye\n",
-                asked.out, asked.options.settings.width, asked.options.settings.height, stats->photons_emitted,
-                stats->photons_stored, stats->photon_seconds, stats->build_seconds, stats->eye_seconds);
+        fprintf(stderr, "%s: %d×%d, %ld photons emitted, %zu stored; %.1f s photons, %.1f s map, %.1f s eye\n", job.out,
+                job.options.settings.width, job.options.settings.height, stats->photons_emitted, stats->photons_stored,
+                stats->photon_seconds, stats->build_seconds, stats->eye_seconds);
     }
-    if (asked.json)
+    if (job.json)
         print_json(stats);
-    return 0;
 }
 
 static int render(const Scene *scene)
 {
     Error error = {""}, gone = {""};
-    bool by_passes = passes_wanted(&asked), sound = true;
-    asked.options.settings = settings_with(&scene->settings);
-    asked.options.hero = asked.wavelengths == 3;
-    asked.options.integrator =
-        asked.integrator.chosen < 0 ? scene->settings.integrator : (Integrator)asked.integrator.chosen;
-    bool traces_paths = asked.options.integrator == INTEGRATOR_PATH;
-    if ((asked.code || !traces_paths || by_passes) && !steps_load(asked.code, &error))
+    bool by_passes = passes_wanted(&job);
+    complete_settings(&scene->settings);
+    job.options.hero = job.wavelengths == 3;
+    job.options.integrator = job.integrator.chosen < 0 ? scene->settings.integrator : (Integrator)job.integrator.chosen;
+    bool traces_paths = job.options.integrator == INTEGRATOR_PATH;
+    if ((job.code || !traces_paths || by_passes) && !steps_load(job.code, &error))
         return report_error(&error);
-    choose_steps(asked.code, asked.steps, asked.spectral, scene, &asked.options.play);
-    if (asked.options.play.loop == LOOP_WAVELENGTH && traces_paths)
+    choose_steps(job.code, job.steps, job.spectral, scene, &job.options.play);
+    if (job.options.play.loop == LOOP_WAVELENGTH && traces_paths)
         return report_usage("photonlab render", "the path tracer knows red, green and blue only; say --steps 3.4");
-    if (asked.code && !asked.quiet)
-        report_steps(asked.options.play, traces_paths);
-    parallel_limit(asked.options.threads);
+    if (job.code && !job.quiet)
+        report_steps(job.options.play, traces_paths);
+    parallel_limit(job.options.threads);
 
     RenderStats stats;
-    Tev *tev = NULL;
-    if (asked.tev &&
-        !(tev = tev_open(asked.tev, asked.out, asked.options.settings.width, asked.options.settings.height, &error)))
+    if (job.tev &&
+        !(job.viewer = tev_open(job.tev, job.out, job.options.settings.width, job.options.settings.height, &error)))
         return report_error(&error);
-    bool ok = by_passes ? render_by_passes(&asked, scene, tev, &sound, &stats, &error)
-                        : render_once(scene, tev, &sound, &stats, &error);
-    if (tev && !tev_close(tev, &gone))
+    bool ok = by_passes ? render_by_passes(&job, scene, &stats, &error) : render_once(scene, &stats, &error);
+    if (job.viewer && !tev_close(job.viewer, &gone))
         report_error(&gone);
     if (!ok)
         report_error(&error);
-    if (!sound && asked.code)
-        report_suspects(asked.options.play);
-    return ok ? tell(&stats) : EXIT_INPUT;
+    if (!job.sound && job.code)
+        report_suspects(job.options.play);
+    if (ok)
+        tell(&stats);
+    return ok ? 0 : EXIT_INPUT;
 }
 
 static int run(void)
@@ -196,8 +191,8 @@ static int run(void)
     if (!check(&error))
         return report_usage("photonlab render", "%s", error.message);
     array_keep_memory();
-    guard_begin(asked.code, asked.options.threads);
-    Scene *scene = file_may_write(asked.out, &error) ? scene_load(asked.scene, &error) : NULL;
+    guard_begin(job.code, job.options.threads);
+    Scene *scene = file_may_write(job.out, &error) ? scene_load(job.scene, &error) : NULL;
     if (!scene)
         return report_error(&error);
     int code = render(scene);
@@ -208,6 +203,6 @@ static int run(void)
 const Command command_render = {
     .words = "render a scene to a picture",
     .line = {"photonlab render", help, "one scene file", flags, FLAG_COUNT(flags), 1, 1},
-    .files = &asked.scene,
+    .files = &job.scene,
     .run = run,
 };

@@ -6,7 +6,7 @@
 #include "cli/tev.h"
 #include "render/passes/pass_file.h"
 
-// What the flags of `render` say.
+// What the flags of `render` say, and what else a picture needs.
 typedef struct {
     const char *scene, *out, *code, *steps, *tev; // scene, out: files
     int size[2];
@@ -18,21 +18,18 @@ typedef struct {
     float seconds, alpha; // 0: no flag
     Choice radii;
     const char *part, *resume;
-    RenderSettings settings; // 0 or −1: no flag, so the scene's own value counts
-    RenderOptions options;
-} RenderFlags;
-
-extern const char *const radii_names[]; // "pass", "pixel"
+    RenderOptions options; // settings: 0 or −1: no flag, so the scene's own value counts
+    Tev *viewer;           // shows it; NULL: nobody does
+    bool sound;            // false: the picture holds what is no number
+} RenderJob;
 
 // Is the picture made by passes?
-bool passes_wanted(const RenderFlags *flags);
+bool passes_wanted(const RenderJob *job);
 
 // False, saying why, when the flags about passes do not go together.
-bool pass_flags_check(const RenderFlags *flags, Error *error);
+bool pass_flags_check(const RenderJob *job, Error *error);
 
-// Renders and writes; tev, unless it is NULL, shows it. *sound becomes false when the picture holds what is no number. False with
-// the reason, which may be that somebody stopped it.
-bool render_by_passes(const RenderFlags *flags, const Scene *scene, Tev *tev, bool *sound, RenderStats *stats,
-                      Error *error);
+// Renders and writes. False with the reason, which may be that somebody stopped it.
+bool render_by_passes(RenderJob *job, const Scene *scene, RenderStats *stats, Error *error);
 
 #endif
