@@ -1,16 +1,10 @@
 #include "base/crash_words.h"
+#include "base/file.h"
 
 #include <signal.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static bool is_header(const char *file)
-{
-    size_t length = strlen(file);
-    return length > 2 && strcmp(file + length - 2, ".h") == 0;
-}
 
 int crash_places(const char *text, SourcePlace *places, int most)
 {
@@ -26,7 +20,7 @@ int crash_places(const char *text, SourcePlace *places, int most)
         // What the compiler made of a function has a point in its name: reflect.part.0.
         snprintf(place->function, sizeof place->function, "%.*s", (int)strcspn(function, "."), function);
         snprintf(place->file, sizeof place->file, "%.200s", slash ? slash + 1 : path);
-        count += function[0] != '?' && !is_header(place->file);
+        count += function[0] != '?' && !file_ends_in(place->file, ".h");
     }
     return count;
 }
