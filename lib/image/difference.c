@@ -41,12 +41,6 @@ static double add_pixel(ImageDifference *sums, double reference[3], Colour x, Co
     return all;
 }
 
-// Two black images agree: their ratio is 1. Against a black reference alone it is infinite.
-static double ratio(double image, double reference)
-{
-    return image == reference ? 1.0 : image / reference;
-}
-
 // From sums to means.
 static void divide(ImageDifference *result, const double reference[3])
 {
@@ -54,7 +48,7 @@ static void divide(ImageDifference *result, const double reference[3])
     for (int c = 0; c < 3; c++) {
         result->rmse[c] = sqrt(result->rmse[c] / count);
         result->relative_mse[c] /= count;
-        result->mean_ratio[c] = ratio(result->mean_ratio[c], reference[c]);
+        result->mean_ratio[c] = result->mean_ratio[c] == reference[c] ? 1.0 : result->mean_ratio[c] / reference[c];
         result->relative_mse_all += result->relative_mse[c] / 3.0;
     }
 }

@@ -102,11 +102,8 @@ static const ImageFormat *format_of(const char *path, Error *error)
                 error_set(error, "%s: no %s files here: %s", path, format->ending, format->missing);
             return format->missing ? NULL : format;
         }
-        text_append(known, sizeof known, "%s%s (%s)",
-                    i == 0                 ? ""
-                    : i + 1 < FORMAT_COUNT ? ", "
-                                           : " or ",
-                    format->ending, format->use);
+        const char *joint = i == 0 ? "" : i + 1 < FORMAT_COUNT ? ", " : " or ";
+        text_append(known, sizeof known, "%s%s (%s)", joint, format->ending, format->use);
     }
     const char *ending = file_ending(path);
     error_set(error, "%s: the name %s%s; expected %s", path, *ending ? "ends in " : "has no ending", ending, known);
