@@ -55,6 +55,7 @@ void guard_begin(const char *code, int threads);
 // A sign of life from the work: a part of it is done.
 void guard_alive(void);
 
-void print_ledger_json(const Ledger *ledger);
+// The end of the line of JSON: what right steps never do, and the ledger.
+void print_ledger_json(const Ledger *ledger, const UnsoundPaths *unsound);
 
 #endif

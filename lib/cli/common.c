@@ -108,13 +108,14 @@ void report_oddities(const Ledger *ledger, long paths, const UnsoundPaths *unsou
     fputs(text, stderr);
 }
 
-void print_ledger_json(const Ledger *ledger)
+void print_ledger_json(const Ledger *ledger, const UnsoundPaths *unsound)
 {
     static const char *const NAMES[] = {"emitted", "absorbed", "escaped", "cut", "chance", "chance_error"};
     const double *const values[] = {ledger->emitted, ledger->absorbed, ledger->escaped,
                                     ledger->cut,     ledger->chance,   ledger->chance_error};
+    printf("\"redraw_caps\":%ld,\"unsound\":%ld,", redraw_cap_count(), unsound->total);
     for (int i = 0; i < 6; i++)
         printf("%s\"%s\":[%.9g,%.9g,%.9g]", i == 0 ? "\"ledger\":{" : ",", NAMES[i], values[i][0], values[i][1],
                values[i][2]);
-    printf("}");
+    printf("}}\n");
 }

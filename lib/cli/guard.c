@@ -25,9 +25,7 @@
 #define MOST_PLACES 16
 
 typedef struct {
-    int signal; // SIGPROF: it never ends
-    bool stack_far;
-    unsigned long long address;
+    Crash crash;      // signal SIGPROF: it never ends
     InnerPlace inner; // in their code
 } Fall;
 
@@ -48,9 +46,7 @@ static void take_place(const CrashPlace *place)
 
 static void on_crash(const Crash *crash)
 {
-    fall.signal = crash->signal;
-    fall.stack_far = crash->stack_far;
-    fall.address = crash->address;
+    fall.crash = *crash;
     write_all(out, &fall, sizeof fall); // over a broken stack the way up may not be found
     crash_walk(crash->place, take_place);
     write_all(out, &fall, sizeof fall);
@@ -63,7 +59,7 @@ static void on_tick(int number)
     if (++ticks > most_ticks) {
         fall.inner.object[0] = '\0';
         crash_walk(NULL, take_place);
-        fall.signal = number;
+        fall.crash.signal = number;
         if (fall.inner.object[0] && write_all(out, &fall, sizeof fall))
             _exit(EXIT_INPUT);
     }
@@ -113,14 +109,14 @@ static void explain(void)
     char place[600] = "while none of your steps ran", what[256];
     if (fall.inner.object[0])
         name_place(place, sizeof place);
-    if (fall.signal == SIGPROF)
+    if (fall.crash.signal == SIGPROF)
         snprintf(what, sizeof what,
                  "it ran on for %d s of processor time without a part of the work done: a loop that never ends?",
                  PATIENCE * TICK);
-    else if (fall.stack_far)
+    else if (fall.crash.stack_far)
         crash_describe_stack(NULL, fall.inner.calls_itself ? "it" : NULL, what, sizeof what);
     else
-        crash_describe_signal(fall.signal, fall.address, "", what, sizeof what);
+        crash_describe_signal(fall.crash.signal, fall.crash.address, "", what, sizeof what);
     fprintf(stderr, "\n%s: %s\n", place, what);
 }
 
@@ -133,18 +129,17 @@ static void wait_for(pid_t child, int in)
         fall = next;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;
-    if (fall.signal)
+    if (fall.crash.signal)
         explain();
     else if (WIFSIGNALED(status))
         fprintf(stderr, "\nended by signal %d (%s)\n", WTERMSIG(status), strsignal(WTERMSIG(status)));
-    _exit(fall.signal || !WIFEXITED(status) ? EXIT_INPUT : WEXITSTATUS(status));
+    _exit(fall.crash.signal || !WIFEXITED(status) ? EXIT_INPUT : WEXITSTATUS(status));
 }
 
 void guard_begin(const char *code, int threads)
 {
     int ends[2];
-    char folder[PATH_MAX];
-    if (!code || !realpath(code, folder) || pipe(ends) != 0)
+    if (!code || pipe(ends) != 0)
         return;
     snprintf(student, sizeof student, "%.*s/", PATH_MAX - 2, code);
     most_ticks = PATIENCE * parallel_threads(threads);

@@ -39,12 +39,9 @@ static const Flag flags[] = {
 
 static void print_json(const PhotonPass *pass)
 {
-    printf("{\"photons_emitted\":%ld,\"photons_stored\":%zu,\"rays\":%llu,\"seconds\":%.6f,\"redraw_caps\":%ld,"
-           "\"unsound\":%ld,",
-           pass->emitted, pass->stored, (unsigned long long)pass->segments, pass->seconds, redraw_cap_count(),
-           pass->unsound.total);
-    print_ledger_json(&pass->ledger);
-    printf("}\n");
+    printf("{\"photons_emitted\":%ld,\"photons_stored\":%zu,\"rays\":%llu,\"seconds\":%.6f,", pass->emitted,
+           pass->stored, (unsigned long long)pass->segments, pass->seconds);
+    print_ledger_json(&pass->ledger, &pass->unsound);
 }
 
 static int run(void)

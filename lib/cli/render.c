@@ -113,13 +113,11 @@ static void print_json(const RenderStats *s)
 {
     printf(
         "{\"passes\":%d,\"photons_emitted\":%ld,\"photons_stored\":%zu,\"rays\":%llu,\"photon_rays\":%llu,\"eye_rays\":%llu,"
-        "\"map_bytes\":%zu,\"seconds\":{\"photons\":%.6f,\"build\":%.6f,\"eye\":%.6f},\"redraw_caps\":%ld,"
-        "\"unsound\":%ld,",
+        "\"map_bytes\":%zu,\"seconds\":{\"photons\":%.6f,\"build\":%.6f,\"eye\":%.6f},",
         s->passes, s->photons_emitted, s->photons_stored, (unsigned long long)(s->photon_rays + s->eye_rays),
         (unsigned long long)s->photon_rays, (unsigned long long)s->eye_rays, s->map_bytes, s->photon_seconds,
-        s->build_seconds, s->eye_seconds, redraw_cap_count(), s->unsound.total);
-    print_ledger_json(&s->ledger);
-    printf("}\n");
+        s->build_seconds, s->eye_seconds);
+    print_ledger_json(&s->ledger, &s->unsound);
 }
 
 static bool render_once(const Scene *scene, RenderStats *stats, Error *error)

@@ -18,7 +18,7 @@ enum { PACKET_CREATE = 4, PACKET_UPDATE = 6 }; // the latter in its third versio
 struct Tev {
     int socket; // −1: the viewer has gone
     int problem;
-    char address[256], name[1024];
+    const char *address, *name;
 };
 
 static int connect_to(const char *host, const char *port, int *problem)
@@ -83,7 +83,7 @@ static unsigned char *put_long(unsigned char *at, uint32_t value)
 // Room for a packet with so many bytes behind its head; the length at its beginning is filled in by `finish`.
 static unsigned char *begin(const Tev *tev, unsigned char type, size_t more, unsigned char **at)
 {
-    unsigned char *packet = malloc(200 + sizeof tev->name + more);
+    unsigned char *packet = malloc(200 + strlen(tev->name) + more);
     if (!packet)
         return NULL; // this piece is left out
     packet[4] = type;
@@ -110,9 +110,11 @@ Tev *tev_open(const char *address, const char *name, int width, int height, Erro
     Tev *tev = calloc(1, sizeof *tev);
     unsigned char *at, *packet = NULL;
     if (tev) {
-        snprintf(tev->address, sizeof tev->address, "%s", address);
-        snprintf(tev->name, sizeof tev->name, "%s", name);
-        char host[256], *colon = strrchr(strcpy(host, tev->address), ':');
+        tev->address = address;
+        tev->name = name;
+        char host[256], *colon;
+        snprintf(host, sizeof host, "%s", address);
+        colon = strrchr(host, ':');
         if (colon)
             *colon = '\0';
         tev->socket = connect_to(host, colon ? colon + 1 : TEV_PORT, &tev->problem);

@@ -8,7 +8,7 @@
 
 typedef struct Tev Tev;
 
-// Connects to "HOST" or "HOST:PORT" and opens a black picture there under this name. NULL, with the error, when nobody answers.
+// Connects to "HOST" or "HOST:PORT" and opens a black picture there under this name; both texts are to stay till the end. NULL, with the error, when nobody answers.
 Tev *tev_open(const char *address, const char *name, int width, int height, Error *error);
 
 // Shows a rectangle of the picture, or all of it. A viewer that has gone is told of by tev_close, and holds up nothing; one that takes
