@@ -1,10 +1,11 @@
-// Where a fatal signal found the program: what the handlers of the judge's probe and of the preview's workers share.
-// All but crash_watch may be called from a signal handler.
+// Where a fatal signal found the program, and in words for the person who wrote the code.
 #ifndef PHOTONLAB_BASE_CRASH_REPORT_H
 #define PHOTONLAB_BASE_CRASH_REPORT_H
 
 #include <stdbool.h>
 #include <stddef.h>
+
+// ---- in the process that dies: all but crash_watch may be called from a signal handler ----
 
 typedef struct {
     int signal, reason;         // reason: errno, from before
@@ -43,5 +44,23 @@ typedef struct {
 } InnerPlace;
 // Takes a place of crash_walk. True: it is the innermost. `folder` ends with a slash.
 bool crash_take_inner(InnerPlace *inner, const CrashPlace *place, const char *folder);
+
+// ---- in words, by another process ----
+
+typedef struct {
+    char function[128];
+    char file[256]; // without its folder
+    int line;       // 0: unknown
+} SourcePlace;
+
+// Takes apart what `addr2line -f -i` says: two lines a place, the function and FILE:LINE, innermost first. Leaves out
+// what has no name, and places in headers: those are the library's, built into the step. How many places.
+int crash_places(const char *text, SourcePlace *places, int most);
+
+// What a fatal signal says. `place`: " in reflect, line 7", or "".
+void crash_describe_signal(int number, unsigned long long address, const char *place, char *text, size_t size);
+
+// The stack overflowed, in this function; `caller`: who calls itself. Either may be NULL.
+void crash_describe_stack(const char *function, const char *caller, char *text, size_t size);
 
 #endif

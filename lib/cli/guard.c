@@ -1,7 +1,6 @@
 // What the guarded process tells of its end goes down a pipe, as one Fall; a later one knows more than an earlier.
 #include "cli/cli.h"
 #include "base/crash_report.h"
-#include "base/crash_words.h"
 #include "base/parallel.h"
 #include "base/process.h"
 #include "base/text.h"

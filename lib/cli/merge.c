@@ -1,4 +1,4 @@
-#include "cli/render_passes.h"
+#include "cli/render.h"
 #include "base/file.h"
 #include "base/text.h"
 
@@ -31,8 +31,7 @@ static const Flag flags[] = {
 static int compare(const void *a, const void *b)
 {
     const Part *x = a, *y = b;
-    return x->first != y->first ? (x->first > y->first) - (x->first < y->first)
-                                : (x->last > y->last) - (x->last < y->last);
+    return x->first != y->first ? x->first - y->first : x->last - y->last;
 }
 
 // What each file holds, in the order of their passes. Only one is in memory at a time.

@@ -1,5 +1,4 @@
-#include "cli/render_passes.h"
-#include "cli/tev.h"
+#include "cli/render.h"
 #include "base/array.h"
 #include "base/file.h"
 

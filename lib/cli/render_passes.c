@@ -1,4 +1,4 @@
-#include "cli/render_passes.h"
+#include "cli/render.h"
 #include "base/file.h"
 #include "image/difference.h"
 

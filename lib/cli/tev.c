@@ -1,5 +1,5 @@
 // Each packet is its own length, its type, and what the type says (tev's Ipc.h); numbers are little-endian, texts end with a 0 byte.
-#include "cli/tev.h"
+#include "cli/render.h"
 #include "base/file.h"
 
 #include <errno.h>

@@ -2,7 +2,7 @@
 #ifndef PHOTONLAB_PREVIEW_FAULT_H
 #define PHOTONLAB_PREVIEW_FAULT_H
 
-#include "base/crash_words.h"
+#include "base/crash_report.h"
 #include "preview/record/recording.h"
 
 #define WORKER_MEMORY_GB 1 // that students' code has
