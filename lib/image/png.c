@@ -23,10 +23,6 @@ typedef struct {
 
     const unsigned char *bytes; // reading: the file, and how far we are
     size_t size, at;
-    Image *image;
-
-    const Image *source; // writing
-    png_bytep row;       // one encoded row
 } Codec;
 
 static void on_warning(png_structp png, png_const_charp message)
@@ -72,7 +68,7 @@ static void decode_row(Colour *pixels, int width)
     }
 }
 
-static bool read_all(Codec *codec)
+static bool read_all(Codec *codec, Image *image)
 {
     if (setjmp(png_jmpbuf(codec->png)))
         return false;
@@ -96,14 +92,14 @@ static bool read_all(Codec *codec)
     png_read_update_info(codec->png, codec->info);
     if (png_get_rowbytes(codec->png, codec->info) != ENCODED_BYTES * (size_t)width)
         png_error(codec->png, "the rows are not red, green and blue");
-    if (!image_create(codec->image, (int)width, (int)height, codec->error))
+    if (!image_create(image, (int)width, (int)height, codec->error))
         return false;
     for (; passes > 0; passes--)
-        for (int row = 0; row < codec->image->height; row++)
-            png_read_row(codec->png, (png_bytep)image_at(codec->image, 0, row), NULL);
+        for (int row = 0; row < image->height; row++)
+            png_read_row(codec->png, (png_bytep)image_at(image, 0, row), NULL);
     png_read_end(codec->png, NULL);
-    for (int row = 0; row < codec->image->height; row++)
-        decode_row(image_at(codec->image, 0, row), codec->image->width);
+    for (int row = 0; row < image->height; row++)
+        decode_row(image_at(image, 0, row), image->width);
     return true;
 }
 
@@ -112,12 +108,12 @@ bool image_read_png_memory(Image *image, const unsigned char *bytes, size_t size
     *image = (Image){0};
     if (size < SIGNATURE_BYTES || png_sig_cmp((png_bytep)bytes, 0, SIGNATURE_BYTES) != 0)
         return error_set(error, "%s: is not a PNG file: its first 8 bytes are not PNG's signature", name);
-    Codec codec = {.name = name, .error = error, .bytes = bytes, .size = size, .image = image};
+    Codec codec = {.name = name, .error = error, .bytes = bytes, .size = size};
     codec.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &codec, on_error, on_warning);
     codec.info = codec.png ? png_create_info_struct(codec.png) : NULL;
     bool good = false;
     if (codec.info)
-        good = read_all(&codec);
+        good = read_all(&codec, image);
     else
         error_set(error, "%s: no memory to read a PNG file", name);
     png_destroy_read_struct(&codec.png, &codec.info, NULL);
@@ -139,18 +135,18 @@ static void encode_row(png_bytep bytes, const Colour *pixels, int width, int bit
         }
 }
 
-static bool write_all(Codec *codec, int bits)
+// `row`: room for an encoded one.
+static bool write_all(const Codec *codec, const Image *image, png_bytep row, int bits)
 {
     if (setjmp(png_jmpbuf(codec->png)))
         return false;
-    const Image *source = codec->source;
-    png_set_IHDR(codec->png, codec->info, (png_uint_32)source->width, (png_uint_32)source->height, bits,
+    png_set_IHDR(codec->png, codec->info, (png_uint_32)image->width, (png_uint_32)image->height, bits,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(codec->png, codec->info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(codec->png, codec->info);
-    for (int row = 0; row < source->height; row++) {
-        encode_row(codec->row, image_at(source, 0, row), source->width, bits);
-        png_write_row(codec->png, codec->row);
+    for (int y = 0; y < image->height; y++) {
+        encode_row(row, image_at(image, 0, y), image->width, bits);
+        png_write_row(codec->png, row);
     }
     png_write_end(codec->png, NULL);
     return true;
@@ -158,19 +154,19 @@ static bool write_all(Codec *codec, int bits)
 
 static bool encode(const Image *image, FILE *stream, const char *name, int bits, Error *error)
 {
-    Codec codec = {.name = name, .error = error, .source = image};
-    codec.row = malloc(ENCODED_BYTES * (size_t)image->width);
+    Codec codec = {.name = name, .error = error};
+    png_bytep row = malloc(ENCODED_BYTES * (size_t)image->width);
     codec.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &codec, on_error, on_warning);
     codec.info = codec.png ? png_create_info_struct(codec.png) : NULL;
     bool good = false;
-    if (codec.row && codec.info) {
+    if (row && codec.info) {
         png_set_write_fn(codec.png, stream, on_write, NULL);
-        good = write_all(&codec, bits);
+        good = write_all(&codec, image, row, bits);
     } else {
         error_set(error, "%s: no memory to write a PNG file", name);
     }
     png_destroy_write_struct(&codec.png, &codec.info);
-    free(codec.row);
+    free(row);
     return good;
 }
 
