@@ -9,11 +9,7 @@ typedef struct {
     char message[1024]; // "file:line: what is wrong; what was expected"
 } Error;
 
-#if defined(__GNUC__)
 #define PRINTF_LIKE(text, first) __attribute__((format(printf, text, first)))
-#else
-#define PRINTF_LIKE(text, first)
-#endif
 
 // Writes the message (printf style, cut at the buffer's end) unless one stands there already, so that the first cause
 // wins. Control characters, which could upset a terminal, become '?'. Always returns false, so that `return error_set(…)` reads well. `error` may be NULL.

@@ -3,6 +3,9 @@
 #include <time.h>
 #ifdef _OPENMP
 #include <omp.h>
+#else
+#define omp_get_thread_num()       0
+#define omp_set_num_threads(count) (void)(count)
 #endif
 
 int parallel_threads(int wanted)
@@ -17,11 +20,7 @@ int parallel_threads(int wanted)
 
 int parallel_index(void)
 {
-#ifdef _OPENMP
     return omp_get_thread_num();
-#else
-    return 0;
-#endif
 }
 
 double clock_seconds(void)
@@ -33,9 +32,5 @@ double clock_seconds(void)
 
 void parallel_limit(int threads)
 {
-#ifdef _OPENMP
     omp_set_num_threads(parallel_threads(threads));
-#else
-    (void)threads;
-#endif
 }

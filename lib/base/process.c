@@ -81,10 +81,9 @@ void process_read(Process *process, char *text, size_t size, size_t *used)
     char bytes[4096];
     while (process->output >= 0) {
         ssize_t got = read(process->output, bytes, sizeof bytes);
-        if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
-            return;
         if (got <= 0) {
-            close_output(process);
+            if (got == 0 || (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR))
+                close_output(process);
             return;
         }
         size_t left = size - 1 - *used, kept = (size_t)got < left ? (size_t)got : left;
