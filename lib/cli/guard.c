@@ -19,9 +19,8 @@
 #include <sys/prctl.h>
 #endif
 
-#define TICK        1  // s of processor time, of all threads together, between looks
-#define PATIENCE    10 // ticks a thread without a part of the work done
-#define MOST_PLACES 16
+#define TICK     1  // s of processor time, of all threads together, between looks
+#define PATIENCE 10 // ticks a thread without a part of the work done
 
 typedef struct {
     Crash crash;      // signal SIGPROF: it never ends
@@ -84,7 +83,7 @@ static void name_place(char *text, size_t size)
     size_t used = 0;
     const char *slash = strrchr(fall.inner.object, '/'), *name = slash ? slash + 1 : fall.inner.object;
     const char *const arguments[] = {"addr2line", "-f", "-i", "-e", fall.inner.object, offset, caller, NULL};
-    SourcePlace places[MOST_PLACES];
+    SourcePlace place;
     Process process;
     snprintf(id, sizeof id, "%.*s", (int)strcspn(name, "_"), name);
     snprintf(offset, sizeof offset, "0x%llx", fall.inner.offset);
@@ -94,12 +93,12 @@ static void name_place(char *text, size_t size)
         int status;
         while (process.output >= 0 || !process_has_ended(&process, &status))
             process_read(&process, answer, sizeof answer, &used);
-        count = crash_places(answer, places, MOST_PLACES);
+        count = crash_places(answer, &place, 1);
     }
     const StepInfo *step = step_find(id);
     snprintf(text, size, "step %s", id);
     if (count > 0)
-        text_append(text, size, ", %s:%d", places[0].file, places[0].line);
+        text_append(text, size, ", %s:%d", place.file, place.line);
     text_append(text, size, ": %s", step ? step->symbol : "?");
 }
 

@@ -4,10 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static const Command *const commands[] = {&command_render, &command_preview, &command_merge, &command_photons,
-                                          &command_diff,   &command_export,  &command_frame, &command_steps};
-
-#define COMMAND_COUNT (sizeof commands / sizeof commands[0])
+static const Command *const commands[] = {&command_render,  &command_preview, &command_merge,
+                                          &command_photons, &command_diff,    &command_export,
+                                          &command_frame,   &command_steps,   NULL};
 
 static const char *name_of(const Command *command)
 {
@@ -17,7 +16,7 @@ static const char *name_of(const Command *command)
 static void print_help(FILE *stream)
 {
     fprintf(stream, "photonlab: photon mapping to learn from\n\nusage: photonlab COMMAND …\n\n");
-    for (size_t i = 0; i < COMMAND_COUNT; i++)
+    for (size_t i = 0; commands[i]; i++)
         fprintf(stream, "  %-9s %s\n", name_of(commands[i]), commands[i]->words);
     fprintf(stream, "\nphotonlab COMMAND --help tells more. Try: photonlab render scenes/box_glass.yaml -o box.png\n");
 }
@@ -54,7 +53,7 @@ int main(int count, char **arguments)
         print_help(stdout);
         return 0;
     }
-    for (size_t i = 0; i < COMMAND_COUNT; i++)
+    for (size_t i = 0; commands[i]; i++)
         if (strcmp(arguments[1], name_of(commands[i])) == 0)
             return all_printed(run(commands[i], count - 1, arguments + 1));
     return report_usage("photonlab", "no command `%s`", arguments[1]);
