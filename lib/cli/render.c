@@ -122,14 +122,13 @@ static void print_json(const RenderStats *s)
 static bool render_once(const Scene *scene, RenderStats *stats, Error *error)
 {
     Image image = {0, 0, NULL};
-    job.options.tiles.take = job.viewer ? tev_show : NULL;
-    job.options.tiles.user = job.viewer;
+    job.options.tiles.take = job.tev ? tev_show : NULL;
     job.options.progress = progress_bar_start(job.quiet);
     bool ok = render_image(scene, &job.options, &image, stats, error);
     progress_bar_end();
     ok = ok && write_picture(&image, job.out, job.bits, &job.sound, error);
-    if (job.viewer && !job.sound)
-        tev_show_all(job.viewer, &image); // with what was marked
+    if (job.tev && !job.sound)
+        tev_show_all(&image); // with what was marked
     image_free(&image);
     return ok;
 }
@@ -167,11 +166,10 @@ static int render(const Scene *scene)
     parallel_limit(job.options.threads);
 
     RenderStats stats;
-    if (job.tev &&
-        !(job.viewer = tev_open(job.tev, job.out, job.options.settings.width, job.options.settings.height, &error)))
+    if (job.tev && !tev_open(job.tev, job.out, job.options.settings.width, job.options.settings.height, &error))
         return report_error(&error);
     bool ok = by_passes ? render_by_passes(&job, scene, &stats, &error) : render_once(scene, &stats, &error);
-    if (job.viewer && !tev_close(job.viewer, &gone))
+    if (job.tev && !tev_close(&gone))
         report_error(&gone);
     if (!ok)
         report_error(&error);

@@ -7,19 +7,17 @@
 
 #define TEV_PORT "14158" // where tev listens, unless --host tells it otherwise
 
-typedef struct Tev Tev; // its protocol over TCP
-
-// Connects to "HOST" or "HOST:PORT" and opens a black picture there under this name; both texts are to stay till the end. NULL,
+// Connects to "HOST" or "HOST:PORT" and opens a black picture there under this name; both texts are to stay till the end. False,
 // with the error, when nobody answers.
-Tev *tev_open(const char *address, const char *name, int width, int height, Error *error);
+bool tev_open(const char *address, const char *name, int width, int height, Error *error);
 
 // Shows a rectangle of the picture, or all of it. A viewer that has gone is told of by tev_close, and holds up nothing; one that takes
-// nothing for ten seconds counts as gone. tev_show: a Tev takes RenderOptions.tiles.
-void tev_show(void *tev, const Image *image, int x, int y, int width, int height);
-void tev_show_all(Tev *tev, const Image *image);
+// nothing for ten seconds counts as gone. tev_show is one of RenderOptions.tiles.
+void tev_show(void *user, const Image *image, int x, int y, int width, int height);
+void tev_show_all(const Image *image);
 
 // False, with the error, when the viewer went before the end. The picture stays there.
-bool tev_close(Tev *tev, Error *error);
+bool tev_close(Error *error);
 
 // What the flags of `render` say, and what else a picture needs.
 typedef struct {
@@ -34,7 +32,6 @@ typedef struct {
     Choice radii;
     const char *part, *resume;
     RenderOptions options; // settings: 0 or −1: no flag, so the scene's own value counts
-    Tev *viewer;           // shows it; NULL: nobody does
     bool sound;            // false: the picture holds what is no number
 } RenderJob;
 

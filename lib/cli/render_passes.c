@@ -106,8 +106,8 @@ static bool write_out(Talk *talk, Image *image)
     bool ok = file_ends_in(job->out, PASS_FILE_ENDING)
                   ? pass_file_write(job->out, &talk->origin, talk->passes, talk->problem)
                   : write_picture(image, job->out, job->bits, &job->sound, talk->problem);
-    if (job->viewer)
-        tev_show_all(job->viewer, image);
+    if (job->tev)
+        tev_show_all(image);
     return ok;
 }
 

@@ -15,17 +15,16 @@ enum { PACKET_CREATE = 4, PACKET_UPDATE = 6 }; // the latter in its third versio
 #define MOST_SECONDS 10
 #define ROWS_AT_ONCE 64 // of a whole picture
 
-struct Tev {
-    int socket; // −1: the viewer has gone
+static struct {
+    int socket; // −1: it has gone
     int problem;
     const char *address, *name;
-};
+} viewer;
 
-static int connect_to(const char *host, const char *port, int *problem)
+static int connect_to(const char *host, const char *port)
 {
     struct addrinfo hints = {.ai_socktype = SOCK_STREAM}, *found = NULL;
     int socket_of = -1;
-    *problem = 0;
     // No host means this machine: a bare container knows localhost by no name.
     if (getaddrinfo(strcmp(host, "localhost") == 0 ? NULL : host, port, &hints, &found) != 0)
         return -1;
@@ -38,7 +37,7 @@ static int connect_to(const char *host, const char *port, int *problem)
 #endif
         if (socket_of < 0 || connect(socket_of, at->ai_addr, at->ai_addrlen) == 0)
             continue;
-        *problem = errno;
+        viewer.problem = errno;
         close(socket_of);
         socket_of = -1;
     }
@@ -46,7 +45,7 @@ static int connect_to(const char *host, const char *port, int *problem)
     return socket_of;
 }
 
-static void send_all(Tev *tev, const unsigned char *bytes, size_t size)
+static void send_all(const unsigned char *bytes, size_t size)
 {
 #ifdef MSG_NOSIGNAL
     int flags = MSG_NOSIGNAL;
@@ -54,13 +53,13 @@ static void send_all(Tev *tev, const unsigned char *bytes, size_t size)
     int flags = 0;
 #endif
     while (size > 0) {
-        ssize_t sent = send(tev->socket, bytes, size, flags);
+        ssize_t sent = send(viewer.socket, bytes, size, flags);
         if (sent < 0 && errno == EINTR)
             continue;
         if (sent <= 0) {
-            tev->problem = errno;
-            close(tev->socket);
-            tev->socket = -1;
+            viewer.problem = errno;
+            close(viewer.socket);
+            viewer.socket = -1;
             return;
         }
         bytes += sent;
@@ -81,14 +80,14 @@ static unsigned char *put_long(unsigned char *at, uint32_t value)
 }
 
 // Room for a packet with so many bytes behind its head; the length at its beginning is filled in by `finish`.
-static unsigned char *begin(const Tev *tev, unsigned char type, size_t more, unsigned char **at)
+static unsigned char *begin(unsigned char type, size_t more, unsigned char **at)
 {
-    unsigned char *packet = malloc(200 + strlen(tev->name) + more);
+    unsigned char *packet = malloc(200 + strlen(viewer.name) + more);
     if (!packet)
         return NULL; // this piece is left out
     packet[4] = type;
     packet[5] = 0; // does not ask to be looked at
-    *at = put_text(packet + 6, tev->name);
+    *at = put_text(packet + 6, viewer.name);
     return packet;
 }
 
@@ -98,45 +97,39 @@ static unsigned char *put_channels(unsigned char *at)
     return put_text(put_text(put_text(at, "R"), "G"), "B");
 }
 
-static void finish(Tev *tev, unsigned char *packet, const unsigned char *end)
+static void finish(unsigned char *packet, const unsigned char *end)
 {
     file_put_int(packet, (uint32_t)(end - packet));
-    send_all(tev, packet, (size_t)(end - packet));
+    send_all(packet, (size_t)(end - packet));
     free(packet);
 }
 
-Tev *tev_open(const char *address, const char *name, int width, int height, Error *error)
+bool tev_open(const char *address, const char *name, int width, int height, Error *error)
 {
-    Tev *tev = calloc(1, sizeof *tev);
-    unsigned char *at, *packet = NULL;
-    if (tev) {
-        tev->address = address;
-        tev->name = name;
-        char host[256], *colon;
-        snprintf(host, sizeof host, "%s", address);
-        colon = strrchr(host, ':');
-        if (colon)
-            *colon = '\0';
-        tev->socket = connect_to(host, colon ? colon + 1 : TEV_PORT, &tev->problem);
-        packet = tev->socket >= 0 ? begin(tev, PACKET_CREATE, 0, &at) : NULL;
-    }
-    if (!packet) {
-        error_set(error, "tev at %s: %s; expected HOST or HOST:PORT where tev runs (it listens on " TEV_PORT ")",
-                  address, tev && tev->problem ? strerror(tev->problem) : "no such host, or no memory");
-        free(tev);
-        return NULL;
-    }
+    unsigned char *at, *packet;
+    char host[256];
+    snprintf(host, sizeof host, "%s", address);
+    char *colon = strrchr(host, ':');
+    if (colon)
+        *colon = '\0';
+    viewer.address = address;
+    viewer.name = name;
+    viewer.socket = connect_to(host, colon ? colon + 1 : TEV_PORT);
+    packet = viewer.socket >= 0 ? begin(PACKET_CREATE, 0, &at) : NULL;
+    if (!packet)
+        return error_set(error, "tev at %s: %s; expected HOST or HOST:PORT where tev runs (it listens on " TEV_PORT ")",
+                         address, viewer.problem ? strerror(viewer.problem) : "no such host, or no memory");
     at = file_put_int(file_put_int(at, (uint32_t)width), (uint32_t)height);
-    finish(tev, packet, put_channels(at));
-    return tev;
+    finish(packet, put_channels(at));
+    return true;
 }
 
 void tev_show(void *user, const Image *image, int x, int y, int width, int height)
 {
-    Tev *tev = user;
+    (void)user;
     unsigned char *at, *packet = NULL;
-    if (tev->socket >= 0)
-        packet = begin(tev, PACKET_UPDATE, sizeof(Colour) * (size_t)width * (size_t)height, &at);
+    if (viewer.socket >= 0)
+        packet = begin(PACKET_UPDATE, sizeof(Colour) * (size_t)width * (size_t)height, &at);
     if (!packet)
         return;
     at = put_channels(at);
@@ -151,23 +144,22 @@ void tev_show(void *user, const Image *image, int x, int y, int width, int heigh
         for (int column = x; column < x + width; column++)
             for (int c = 0; c < CHANNELS; c++)
                 at = file_put_float(at, colour_channel(*image_at(image, column, row), c));
-    finish(tev, packet, at);
+    finish(packet, at);
 }
 
-void tev_show_all(Tev *tev, const Image *image)
+void tev_show_all(const Image *image)
 {
     for (int row = 0; row < image->height; row += ROWS_AT_ONCE) {
         int left = image->height - row;
-        tev_show(tev, image, 0, row, image->width, left < ROWS_AT_ONCE ? left : ROWS_AT_ONCE);
+        tev_show(NULL, image, 0, row, image->width, left < ROWS_AT_ONCE ? left : ROWS_AT_ONCE);
     }
 }
 
-bool tev_close(Tev *tev, Error *error)
+bool tev_close(Error *error)
 {
-    bool stayed = tev->socket >= 0 || error_set(error, "tev at %s: %s: the rest of the picture was not shown there",
-                                                tev->address, strerror(tev->problem));
-    if (tev->socket >= 0)
-        close(tev->socket);
-    free(tev);
+    bool stayed = viewer.socket >= 0 || error_set(error, "tev at %s: %s: the rest of the picture was not shown there",
+                                                  viewer.address, strerror(viewer.problem));
+    if (viewer.socket >= 0)
+        close(viewer.socket);
     return stayed;
 }
