@@ -43,7 +43,7 @@ static const char help_end[] =
     "  --report FILE        what the key `o` opens\n"
     "  --orbit SECONDS      the window turns by itself for so long, and tells how many frames a second it made\n";
 
-static const char *file, *camera, *framing, *steps_text;
+static const char *camera, *framing, *steps_text;
 static const char *const contexts[] = {"osmesa", "egl", "window", NULL}; // as ContextKind has them, after any
 static Choice kind = {view_names, 0}, colours = {colour_names, 0}, context = {contexts, -1},
               integrator = {integrator_names, -1}, radii = {radii_rules, RADII_ALIKE};
@@ -199,10 +199,9 @@ static int run(void)
     if (!check(&error))
         return report_usage("photonlab preview", "%s", error.message);
     parallel_limit(1); // no threads before the fork
-    Scene *scene = scene_load(file, &error);
+    Scene *scene = scene_load(options.scene_path, &error);
     if (!scene)
         return report_error(&error);
-    options.scene_path = file;
     if (!set_view(scene, &error)) {
         scene_free(scene);
         return report_usage("photonlab preview", "%s", error.message);
@@ -219,7 +218,7 @@ static int run(void)
 const Command command_preview = {
     .words = "a window on the photons, live; or a snapshot of it",
     .line = {"photonlab preview", help, "one scene file", flags, MOST_FLAGS, 1, 1},
-    .files = &file,
+    .files = &options.scene_path,
     .prepare = prepare,
     .run = run,
 };

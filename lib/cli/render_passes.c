@@ -150,14 +150,14 @@ static bool after_pass(void *user, const Passes *passes)
     if ((passes->done & (passes->done - 1)) == 0) {
         Image image = {0, 0, NULL};
         talk->failed = !passes_picture(passes, &image, talk->problem) || !write_out(talk, &image);
-        if (!talk->failed)
+        if (!talk->failed) {
             measure(talk, &image);
+            tell(talk);
+        }
         image_free(&image);
-        if (talk->failed)
-            return false;
-        tell(talk);
     }
-    return !stop_asked && (talk->job->seconds <= 0.0f || clock_seconds() - talk->started < (double)talk->job->seconds);
+    double seconds = (double)talk->job->seconds;
+    return !talk->failed && !stop_asked && (seconds <= 0.0 || clock_seconds() - talk->started < seconds);
 }
 
 // ---- before and after ----
@@ -228,7 +228,7 @@ bool render_by_passes(RenderJob *job, const Scene *scene, RenderStats *stats, Er
     bool ok = !job->resume || resume(job, &talk.origin, &passes, error);
 
     talk.drawn = progress_bar_start(job->quiet);
-    options.progress = talk.drawn.report ? (Progress){show_progress, &talk} : talk.drawn;
+    options.progress = (Progress){show_progress, &talk};
     passes.heard = after_pass;
     passes.user = &talk;
     watch_for_stop();

@@ -84,13 +84,11 @@ static void read_pixels(Image *image, const unsigned char *bytes, size_t channel
 static bool check_length(const Header *header, unsigned long long needed)
 {
     unsigned long long found = header->size - header->at;
-    if (found < needed)
-        return error_set(header->error, "%s: truncated: %llu bytes of pixels; expected %llu", header->name, found,
-                         needed);
+    char what[64] = "truncated";
     if (found > needed)
-        return error_set(header->error, "%s: %llu bytes too many: %llu bytes of pixels; expected %llu", header->name,
-                         found - needed, found, needed);
-    return true;
+        snprintf(what, sizeof what, "%llu bytes too many", found - needed);
+    return found == needed ||
+           error_set(header->error, "%s: %s: %llu bytes of pixels; expected %llu", header->name, what, found, needed);
 }
 
 bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size, const char *name, Error *error)
