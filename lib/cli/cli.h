@@ -15,8 +15,7 @@ typedef struct {
     CommandLine line;      // its command: "photonlab NAME"
     const char **files;    // where their names go
     bool (*prepare)(void); // before its arguments are read; may be NULL. False: it cannot be had, as is said by then
-    int (*run)(
-        void); // with what was read. The exit code: 0 done, EXIT_INPUT input or output error, EXIT_USAGE wrong usage
+    int (*run)(void); // with what was read. The exit code: 0 done, EXIT_INPUT a file's error, EXIT_USAGE wrong usage
 } Command;
 extern const Command command_render, command_preview, command_merge, command_photons, command_diff, command_export,
     command_frame, command_steps;

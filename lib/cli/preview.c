@@ -117,11 +117,11 @@ static bool prepare(void)
 // What no flag alone can tell.
 static bool check(Error *error)
 {
-    int in = 1 + context.chosen;
+    int wanted = 1 + context.chosen;
     options.width = size[0];
     options.height = size[1];
-    options.in_window = in > CONTEXT_EGL;
-    options.context = options.in_window ? CONTEXT_ANY : (ContextKind)in;
+    options.in_window = wanted > CONTEXT_EGL;
+    options.context = options.in_window ? CONTEXT_ANY : (ContextKind)wanted;
     options.integrator = integrator.chosen;
     options.radii = (RadiiRule)radii.chosen;
     if (options.render > 0 && !options.snapshot)

@@ -111,11 +111,7 @@ bool image_read_png_memory(Image *image, const unsigned char *bytes, size_t size
     Codec codec = {.name = name, .error = error, .bytes = bytes, .size = size};
     codec.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &codec, on_error, on_warning);
     codec.info = codec.png ? png_create_info_struct(codec.png) : NULL;
-    bool good = false;
-    if (codec.info)
-        good = read_all(&codec, image);
-    else
-        error_set(error, "%s: no memory to read a PNG file", name);
+    bool good = codec.info ? read_all(&codec, image) : error_set(error, "%s: no memory to read a PNG file", name);
     png_destroy_read_struct(&codec.png, &codec.info, NULL);
     if (!good)
         image_free(image);
@@ -136,10 +132,11 @@ static void encode_row(png_bytep bytes, const Colour *pixels, int width, int bit
 }
 
 // `row`: room for an encoded one.
-static bool write_all(const Codec *codec, const Image *image, png_bytep row, int bits)
+static bool write_all(const Codec *codec, const Image *image, FILE *stream, png_bytep row, int bits)
 {
     if (setjmp(png_jmpbuf(codec->png)))
         return false;
+    png_set_write_fn(codec->png, stream, on_write, NULL);
     png_set_IHDR(codec->png, codec->info, (png_uint_32)image->width, (png_uint_32)image->height, bits,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(codec->png, codec->info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -158,13 +155,8 @@ static bool encode(const Image *image, FILE *stream, const char *name, int bits,
     png_bytep row = malloc(ENCODED_BYTES * (size_t)image->width);
     codec.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &codec, on_error, on_warning);
     codec.info = codec.png ? png_create_info_struct(codec.png) : NULL;
-    bool good = false;
-    if (row && codec.info) {
-        png_set_write_fn(codec.png, stream, on_write, NULL);
-        good = write_all(&codec, image, row, bits);
-    } else {
-        error_set(error, "%s: no memory to write a PNG file", name);
-    }
+    bool good = row && codec.info ? write_all(&codec, image, stream, row, bits)
+                                  : error_set(error, "%s: no memory to write a PNG file", name);
     png_destroy_write_struct(&codec.png, &codec.info);
     free(row);
     return good;
