@@ -123,20 +123,19 @@ static void aim(exr_coding_channel_info_t *channels, int count, const Image *ima
 
 static bool read_rows(const File *file, exr_context_t context, const Image *image, int top)
 {
-    exr_decode_pipeline_t decode = EXR_DECODE_PIPELINE_INITIALIZER;
     exr_chunk_info_t chunk;
     int32_t step = 1;
     bool ok = went_well(file, exr_get_scanlines_per_chunk(context, 0, &step));
     for (int row = 0; row < image->height && ok; row += step) {
+        exr_decode_pipeline_t decode = EXR_DECODE_PIPELINE_INITIALIZER;
         ok = went_well(file, exr_read_scanline_chunk_info(context, 0, top + row, &chunk)) &&
-             went_well(file, row == 0 ? exr_decoding_initialize(context, 0, &chunk, &decode)
-                                      : exr_decoding_update(context, 0, &chunk, &decode));
+             went_well(file, exr_decoding_initialize(context, 0, &chunk, &decode));
         if (ok)
             aim(decode.channels, decode.channel_count, image, row);
-        ok = ok && (row > 0 || went_well(file, exr_decoding_choose_default_routines(context, 0, &decode))) &&
+        ok = ok && went_well(file, exr_decoding_choose_default_routines(context, 0, &decode)) &&
              went_well(file, exr_decoding_run(context, 0, &decode));
+        exr_decoding_destroy(context, &decode);
     }
-    exr_decoding_destroy(context, &decode);
     return ok;
 }
 
@@ -172,20 +171,19 @@ static bool decode(Image *image, const unsigned char *bytes, size_t size, const 
 
 static bool write_rows(const File *file, exr_context_t context, const Image *image)
 {
-    exr_encode_pipeline_t encode = EXR_ENCODE_PIPELINE_INITIALIZER;
     exr_chunk_info_t chunk;
     int32_t step = 1;
     bool ok = went_well(file, exr_get_scanlines_per_chunk(context, 0, &step));
     for (int row = 0; row < image->height && ok; row += step) {
+        exr_encode_pipeline_t encode = EXR_ENCODE_PIPELINE_INITIALIZER;
         ok = went_well(file, exr_write_scanline_chunk_info(context, 0, row, &chunk)) &&
-             went_well(file, row == 0 ? exr_encoding_initialize(context, 0, &chunk, &encode)
-                                      : exr_encoding_update(context, 0, &chunk, &encode));
+             went_well(file, exr_encoding_initialize(context, 0, &chunk, &encode));
         if (ok)
             aim(encode.channels, encode.channel_count, image, row);
-        ok = ok && (row > 0 || went_well(file, exr_encoding_choose_default_routines(context, 0, &encode))) &&
+        ok = ok && went_well(file, exr_encoding_choose_default_routines(context, 0, &encode)) &&
              went_well(file, exr_encoding_run(context, 0, &encode));
+        exr_encoding_destroy(context, &encode);
     }
-    exr_encoding_destroy(context, &encode);
     return ok;
 }
 
