@@ -26,12 +26,14 @@ typedef struct {
 } SceneRange;
 
 typedef struct {
-    const char *name; // NULL behind the last row of a table
+    const char *name;
     SceneKeyKind kind;
     const char *otherwise; // where a file leaves the key out: KEY_REQUIRED, KEY_OPTIONAL, or the value that holds then
     SceneRange range;
     const char *meaning; // for scenes/README.md
 } SceneKey;
+
+typedef SceneKey SceneKeys[12]; // a table, of 11 rows at most; behind the last there is one without a name
 
 #define KEY_REQUIRED NULL
 #define KEY_OPTIONAL ""

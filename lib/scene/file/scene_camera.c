@@ -3,15 +3,14 @@
 
 #include <string.h>
 
-static const SceneKey no_keys[] = {{.name = NULL}};
+static const SceneKeys no_keys = {{.name = NULL}};
 
-static const SceneKey camera_keys[] = {
+static const SceneKeys camera_keys = {
     {"position", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "where the eye is"},
     {"target", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the point in the middle of the picture"},
     {"up", KEY_THREE, "[0, 1, 0]", RANGE_ANY, "what is up in the picture; not along the view"},
     {"vertical_fov", KEY_NUMBER, KEY_REQUIRED, RANGE_ANGLE,
      "field of view, from the picture's lower to its upper edge"},
-    {.name = NULL},
 };
 
 static const SceneType camera_type = {
@@ -36,7 +35,7 @@ static bool build_camera(SceneBuilder *builder, SceneEntry *entry)
 const SceneSection camera_section = {
     "camera", "Where the picture is taken from.", 0, true, no_keys, &camera_type, NULL, build_camera};
 
-static const SceneKey render_keys[] = {
+static const SceneKeys render_keys = {
     {"width", KEY_WHOLE, "512", RANGE(1, MOST_SIDE, "pixels"), "width of the picture"},
     {"height", KEY_WHOLE, "512", RANGE(1, MOST_SIDE, "pixels"), "height of the picture"},
     {"samples", KEY_WHOLE, "4", RANGE(1, MOST_SAMPLES, "rays per pixel"), "eye rays through each pixel"},
@@ -47,7 +46,6 @@ static const SceneKey render_keys[] = {
     {"depth", KEY_WHOLE, "32", RANGE(1, MOST_DEPTH, "bounces"), "after so many bounces a path is cut"},
     {"integrator", KEY_WORD, "photons", RANGE_NAME, "how light is found: " INTEGRATOR_NAMES},
     {"spectral", KEY_WORD, "no", RANGE_NAME, "yes: photons of single wavelengths, not of red, green and blue"},
-    {.name = NULL},
 };
 
 static const SceneType render_type = {

@@ -99,41 +99,36 @@ static bool build_beam(SceneBuilder *builder, SceneEntry *entry, Light *light)
 #define RANGE_POWER    RANGE_TOLD(0, SCENE_LARGEST_NUMBER, "W", "0 or more")
 #define RANGE_RADIANCE RANGE_TOLD(0, SCENE_LARGEST_NUMBER, "W/(m²·sr)", "0 or more")
 
-static const SceneKey rectangle_keys[] = {
+static const SceneKeys rectangle_keys = {
     {"corner", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a corner"},
     {"edge_u", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a side, from the corner"},
     {"edge_v", KEY_THREE, KEY_REQUIRED, RANGE_METRES,
      "the other side; the light shines to where edge_u × edge_v points"},
     {"radiance", KEY_COLOUR, KEY_OPTIONAL, RANGE_RADIANCE, "what each of its points sends in each direction"},
     {"power", KEY_COLOUR, KEY_OPTIONAL, RANGE_POWER, "in place of radiance: all that it sends out, π·area·radiance"},
-    {.name = NULL},
 };
-static const SceneKey sphere_keys[] = {
+static const SceneKeys sphere_keys = {
     {"centre", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the centre"},
     {"radius", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "the radius"},
     {"radiance", KEY_COLOUR, KEY_OPTIONAL, RANGE_RADIANCE, "what each of its points sends in each direction"},
     {"power", KEY_COLOUR, KEY_OPTIONAL, RANGE_POWER, "in place of radiance: all that it sends out, π·area·radiance"},
-    {.name = NULL},
 };
-static const SceneKey point_keys[] = {
+static const SceneKeys point_keys = {
     {"position", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "where it is"},
     {"power", KEY_COLOUR, KEY_REQUIRED, RANGE_POWER, "all that it sends out"},
-    {.name = NULL},
 };
 // Of a cone below 0.1°, 1 − cos is all rounding: its solid angle would be wrong, or 0.
-static const SceneKey spot_keys[] = {
+static const SceneKeys spot_keys = {
     {"position", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the tip of its cone"},
     {"target", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a point on the cone's axis"},
     {"angle", KEY_NUMBER, KEY_REQUIRED, RANGE(0.1, 180, "degrees"), "between the axis and the cone's edge"},
     {"power", KEY_COLOUR, KEY_REQUIRED, RANGE_POWER, "all that it sends out"},
-    {.name = NULL},
 };
-static const SceneKey beam_keys[] = {
+static const SceneKeys beam_keys = {
     {"position", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the middle of the disk that sends out the beam"},
     {"target", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a point that the beam's middle goes through"},
     {"radius", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "the beam's radius"},
     {"power", KEY_COLOUR, KEY_REQUIRED, RANGE_POWER, "all that it sends out"},
-    {.name = NULL},
 };
 
 typedef struct {
@@ -210,12 +205,11 @@ static bool build(SceneBuilder *builder, SceneEntry *entry)
     return ok;
 }
 
-static const SceneKey keys[] = {
+static const SceneKeys keys = {
     {"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"},
     {"spectrum", KEY_WORD, KEY_OPTIONAL, RANGE(1, 2000, "characters"),
      "how its energy is spread over 380 to 730 nm: `daylight` (D65), `sodium`, the nm of a single line, or pairs of nm and energy "
      "as in `\"400 0, 500 8, 700 18.4\"`; otherwise evenly. The power stays, and is told apart by `--spectral` alone"},
-    {.name = NULL},
 };
 
 const SceneSection light_section = {"lights", "What gives light.", MAX_LIGHTS, true, keys, NULL, type_at, build};

@@ -36,10 +36,9 @@ static bool build(SceneBuilder *builder, SceneEntry *entry)
     return material->kind->build(entry, material);
 }
 
-static const SceneKey keys[] = {
+static const SceneKeys keys = {
     {"name", KEY_WORD, KEY_REQUIRED, RANGE_NAME, "what shapes and meshes call it by"},
     {"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"},
-    {.name = NULL},
 };
 
 const SceneSection material_section = {

@@ -9,11 +9,6 @@
 const SceneSection *const scene_sections[SCENE_SECTIONS] = {&camera_section, &render_section, &material_section,
                                                             &light_section, &shape_section};
 
-const SceneKey type_key[] = {
-    {"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"},
-    {.name = NULL},
-};
-
 const SceneType *scene_type_at(const SceneSection *section, size_t i)
 {
     return section->type_at ? section->type_at(i) : i == 0 ? section->type : NULL;

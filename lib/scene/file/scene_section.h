@@ -49,8 +49,6 @@ enum { SCENE_SECTIONS = 5 };
 extern const SceneSection *const scene_sections[SCENE_SECTIONS]; // in the order in which they are built
 extern const SceneSection camera_section, render_section, material_section, light_section, shape_section;
 
-extern const SceneKey type_key[]; // of sections whose entries have nothing else in common
-
 const SceneType *scene_type_at(const SceneSection *section, size_t i);
 
 // Row number i of a section, those of every type and then each type's own; NULL past the last.

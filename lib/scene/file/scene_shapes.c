@@ -76,28 +76,25 @@ static bool build_prism(SceneBuilder *builder, SceneEntry *entry, uint32_t mater
 #define MATERIAL_ROW {"material", KEY_WORD, KEY_REQUIRED, RANGE_NAME, "the name of its material"}
 // clang-format on
 
-static const SceneKey sphere_keys[] = {
+static const SceneKeys sphere_keys = {
     {"centre", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the centre"},
     {"radius", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "the radius"},
     MATERIAL_ROW,
-    {.name = NULL},
 };
-static const SceneKey rectangle_keys[] = {
+static const SceneKeys rectangle_keys = {
     {"corner", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a corner"},
     {"edge_u", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "a side, from the corner"},
     {"edge_v", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the other side; edge_u × edge_v points to its outside"},
     MATERIAL_ROW,
-    {.name = NULL},
 };
-static const SceneKey box_keys[] = {
+static const SceneKeys box_keys = {
     {"low", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "its least x, y and z"},
     {"high", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "its largest"},
     MATERIAL_ROW,
     {"rotate_y", KEY_NUMBER, "0", RANGE_DEGREES,
      "turns the box about the upright line through its middle, counter-clockwise seen from above"},
-    {.name = NULL},
 };
-static const SceneKey prism_keys[] = {
+static const SceneKeys prism_keys = {
     {"apex", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the middle of its upper edge"},
     {"axis", KEY_THREE, KEY_REQUIRED, RANGE_ANY, "which way this edge runs; any length"},
     {"down", KEY_THREE, KEY_REQUIRED, RANGE_ANY,
@@ -106,9 +103,8 @@ static const SceneKey prism_keys[] = {
     {"side", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "how far these faces go from the edge"},
     {"length", KEY_NUMBER, KEY_REQUIRED, RANGE_LENGTH, "length of the edge"},
     MATERIAL_ROW,
-    {.name = NULL},
 };
-static const SceneKey mesh_keys[] = {
+static const SceneKeys mesh_keys = {
     {"file", KEY_WORD, KEY_REQUIRED, RANGE(1, 1023, "characters"),
      "an OBJ file; the path begins at the scene's folder"},
     {"material", KEY_WORD, KEY_OPTIONAL, RANGE_NAME, "the material of faces for which the file gives none by usemtl"},
@@ -116,7 +112,6 @@ static const SceneKey mesh_keys[] = {
     {"rotate", KEY_THREE, "[0, 0, 0]", RANGE_DEGREES,
      "then turned about the x axis, the y axis and the z axis, in this order, counter-clockwise seen against the axis"},
     {"translate", KEY_THREE, "[0, 0, 0]", RANGE_METRES, "then moved"},
-    {.name = NULL},
 };
 
 typedef struct {
@@ -158,5 +153,6 @@ static bool build(SceneBuilder *builder, SceneEntry *entry)
     return kinds[entry->type_number].build(builder, entry, (uint32_t)material);
 }
 
-const SceneSection shape_section = {"shapes", "What light falls on.", MAX_SHAPES, false, type_key, NULL, type_at,
-                                    build};
+static const SceneKeys keys = {{"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"}};
+
+const SceneSection shape_section = {"shapes", "What light falls on.", MAX_SHAPES, false, keys, NULL, type_at, build};

@@ -13,9 +13,8 @@ static bool build(SceneEntry *entry, Material *material)
     return true;
 }
 
-static const SceneKey keys[] = {
+static const SceneKeys keys = {
     {"reflectance", KEY_COLOUR, KEY_REQUIRED, RANGE_SHARE, "ρ_d: the share of light that is sent back"},
-    {.name = NULL},
 };
 
 MATERIAL_KIND(diffuse) = {

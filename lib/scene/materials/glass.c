@@ -77,14 +77,13 @@ static bool build(SceneEntry *entry, Material *material)
 }
 
 #define RANGE_OF_INDEX RANGE_TOLD(0.1, 10, NULL, "a refractive index, 0.1 to 10")
-static const SceneKey keys[] = {
+static const SceneKeys keys = {
     {"index", KEY_NUMBER, KEY_OPTIONAL, RANGE_OF_INDEX, "one refractive index for all colours"},
     {"indices", KEY_COLOUR, KEY_OPTIONAL, RANGE_OF_INDEX, "one for each colour"},
     {"glass", KEY_WORD, KEY_OPTIONAL, RANGE_NAME, "a real glass by its name"},
     {"index_d", KEY_NUMBER, KEY_OPTIONAL, RANGE_OF_INDEX, "with abbe: the index at 587.6 nm"},
     {"abbe", KEY_NUMBER, KEY_OPTIONAL, RANGE_TOLD(1, 1000, NULL, "an Abbe number, 1 to 1000"),
      "the Abbe number: the smaller, the more it disperses"},
-    {.name = NULL},
 };
 
 MATERIAL_KIND(glass) = {

@@ -101,11 +101,10 @@ static bool build(SceneEntry *entry, Material *material)
     return true;
 }
 
-static const SceneKey keys[] = {
+static const SceneKeys keys = {
     {"diffuse", KEY_COLOUR, KEY_REQUIRED, RANGE_SHARE, "ρ_d: the share that is sent evenly to all sides"},
     {"specular", KEY_COLOUR, KEY_REQUIRED, RANGE_SHARE, "ρ_s: the lobe's share; ρ_d + ρ_s is at most 1"},
     {"exponent", KEY_NUMBER, KEY_REQUIRED, RANGE(0, 10000, NULL), "n of the lobe: the larger, the more like a mirror"},
-    {.name = NULL},
 };
 
 MATERIAL_KIND(glossy) = {

@@ -14,9 +14,8 @@ static bool build(SceneEntry *entry, Material *material)
     return true;
 }
 
-static const SceneKey keys[] = {
+static const SceneKeys keys = {
     {"reflectance", KEY_COLOUR, "[1, 1, 1]", RANGE_SHARE, "ρ_s: the share of light that is reflected"},
-    {.name = NULL},
 };
 
 MATERIAL_KIND(mirror) = {

@@ -20,10 +20,9 @@ static bool build(SceneEntry *entry, Material *material)
     return true;
 }
 
-static const SceneKey keys[] = {
+static const SceneKeys keys = {
     {"reflectance", KEY_COLOUR, "[0.2, 0.2, 0.2]", RANGE_SHARE, "ρ_d: the share of light that is sent back evenly"},
     {"fibres", KEY_COLOUR, KEY_REQUIRED, RANGE_SHARE, "ρ_s: the share that the fibres send back at grazing angles"},
-    {.name = NULL},
 };
 
 MATERIAL_KIND(velvet) = {
