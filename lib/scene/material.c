@@ -29,5 +29,10 @@ Colour material_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec3 
 
 Colour material_albedo(const Material *material, GlossyModel model, float cos_wi)
 {
-    return material_kind(material)->albedo(material, model, cos_wi);
+    const MaterialKind *kind = material_kind(material);
+    if (kind->albedo)
+        return kind->albedo(material, model, cos_wi);
+    return kind->optics == OPTICS_ROUGH    ? material->diffuse
+           : kind->optics == OPTICS_MIRROR ? material->specular
+                                           : colour_grey(kind->optics == OPTICS_GLASS ? 1.0f : 0.0f);
 }

@@ -24,10 +24,10 @@ struct MaterialKind {
     bool (*build)(SceneEntry *entry, Material *material);
     MaterialType type;
     MaterialOptics optics;
-    bool cosine_lobe; // rough: its lobe is the course's, cosⁿα about the mirror direction
-    Colour (*albedo)(const Material *material, GlossyModel model, float cos_wi);
-    // Rough: the BRDF beside ρ_d/π, for wi and wo above the surface; NULL: there is nothing beside it.
+    // Rough: the BRDF beside ρ_d/π, for wi and wo above the surface, and the albedo of both; NULL: there is nothing beside it.
     Colour (*lobe)(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n);
+    Colour (*albedo)(const Material *material, GlossyModel model, float cos_wi);
+    bool cosine_lobe; // it is the course's, cosⁿα about the mirror direction
     // Mirrors: which way a ray goes on; ρ_s is how much of it does.
     Vec3 (*turn)(Vec3 direction, Vec3 normal);
     // How its outlines are drawn: this colour and opacity, and so much of the reflectance's hue on top.

@@ -1,12 +1,6 @@
 // Lambert: ρ_d/π into every direction.
 #include "scene/material_kind.h"
 
-static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
-{
-    (void)model, (void)cos_wi;
-    return material->diffuse;
-}
-
 static bool build(SceneEntry *entry, Material *material)
 {
     material->diffuse = scene_colour(entry, "reflectance");
@@ -23,7 +17,6 @@ MATERIAL_KIND(diffuse) = {
     .build = build,
     .type = MATERIAL_DIFFUSE,
     .optics = OPTICS_ROUGH,
-    .albedo = albedo,
     .line = {70, 70, 70, 160},
     .line_hue = 120,
 };

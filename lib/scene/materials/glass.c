@@ -3,12 +3,6 @@
 #include "scene/material_kind.h"
 #include "base/text.h"
 
-static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
-{
-    (void)material, (void)model, (void)cos_wi;
-    return colour_grey(1.0f);
-}
-
 static const double wavelengths[3] = {WAVELENGTH_RED, WAVELENGTH_GREEN, WAVELENGTH_BLUE};
 
 static const char *glass_name(const void *unused, size_t i)
@@ -92,6 +86,5 @@ MATERIAL_KIND(glass) = {
     .build = build,
     .type = MATERIAL_GLASS,
     .optics = OPTICS_GLASS,
-    .albedo = albedo,
     .line = {120, 215, 235, 150},
 };

@@ -2,12 +2,6 @@
 #include "math/ray.h"
 #include "scene/material_kind.h"
 
-static Colour albedo(const Material *material, GlossyModel model, float cos_wi)
-{
-    (void)model, (void)cos_wi;
-    return material->specular;
-}
-
 static bool build(SceneEntry *entry, Material *material)
 {
     material->specular = scene_colour(entry, "reflectance");
@@ -24,7 +18,6 @@ MATERIAL_KIND(mirror) = {
     .build = build,
     .type = MATERIAL_MIRROR,
     .optics = OPTICS_MIRROR,
-    .albedo = albedo,
     .turn = mirror_direction,
     .line = {200, 205, 225, 170},
 };

@@ -147,7 +147,7 @@ TEST(every_kind_is_whole)
                               : !light && !scene->example                       ? "its example"
                               : !light && !kind->build                          ? "its build function"
                               : !kind->optics                                   ? "its optics"
-                              : !kind->albedo                                   ? "its albedo"
+                              : kind->lobe && !kind->albedo                     ? "its albedo"
                               : kind->line[3] == 0                              ? "a visible line"
                               : kind->cosine_lobe && !kind->lobe                ? "its lobe"
                               : (kind->optics == OPTICS_MIRROR) != !!kind->turn ? "its turn, or has one for nothing"
