@@ -3,8 +3,6 @@
 #include "scene/material_kind.h"
 #include "base/text.h"
 
-static const double wavelengths[3] = {WAVELENGTH_RED, WAVELENGTH_GREEN, WAVELENGTH_BLUE};
-
 static const char *glass_name(const void *unused, size_t i)
 {
     (void)unused;
@@ -12,57 +10,48 @@ static const char *glass_name(const void *unused, size_t i)
     return glass ? glass->name : NULL;
 }
 
-static bool catalogue_indices(const SceneEntry *entry, const char *name, Material *material)
+// Three indices, of the way that the file names.
+static bool read_indices(SceneEntry *entry, Material *material)
 {
-    const SellmeierGlass *glass = glass_find(name);
-    if (!glass)
+    static const double wavelengths[3] = {WAVELENGTH_RED, WAVELENGTH_GREEN, WAVELENGTH_BLUE};
+    const char *name = scene_word(entry, "glass");
+    bool one = scene_given(entry, "index");
+    Colour given = one ? colour_grey(scene_number(entry, "index")) : scene_colour(entry, "indices");
+    double index_d = (double)scene_number(entry, "index_d"), abbe = (double)scene_number(entry, "abbe");
+    material->sellmeier = name ? glass_find(name) : NULL;
+    if (name && !material->sellmeier)
         return scene_fault(entry, "glass", "there is no glass '%s'; %s", name,
                            text_suggest(name, glass_name, NULL).text);
-    material->sellmeier = glass;
-    for (int c = 0; c < 3; c++)
-        material->index[c] = (float)glass_index(glass, wavelengths[c]);
-    return true;
-}
-
-static bool cauchy_indices(SceneEntry *entry, float index[3])
-{
-    float index_d = scene_number(entry, "index_d");
-    float abbe = scene_number(entry, "abbe");
     for (int c = 0; c < 3; c++) {
-        index[c] = (float)cauchy_index(index_d, abbe, wavelengths[c]);
-        if (!(index[c] >= 0.1f && index[c] <= 10.0f))
+        float *index = &material->index[c];
+        *index = name       ? (float)glass_index(material->sellmeier, wavelengths[c])
+                 : abbe > 0 ? (float)cauchy_index(index_d, abbe, wavelengths[c])
+                            : colour_channel(given, c);
+        if (!(*index >= 0.1f && *index <= 10.0f))
             return scene_fault(entry, "abbe",
-                               "index_d %g with abbe %g gives the index %g at %.0f nm; expected 0.1 to 10",
-                               (double)index_d, (double)abbe, (double)index[c], wavelengths[c]);
+                               "index_d %g with abbe %g gives the index %g at %.0f nm; expected 0.1 to 10", index_d,
+                               abbe, (double)*index, wavelengths[c]);
     }
     return true;
 }
 
 static bool build(SceneEntry *entry, Material *material)
 {
-    float *index = material->index;
-    bool one = scene_given(entry, "index");
-    bool three = scene_given(entry, "indices");
-    bool named = scene_given(entry, "glass");
-    bool index_d = scene_given(entry, "index_d");
-    bool abbe = scene_given(entry, "abbe");
-    int ways = one + three + named + (index_d || abbe);
+    bool index_d = scene_given(entry, "index_d"), abbe = scene_given(entry, "abbe");
+    int ways =
+        scene_given(entry, "index") + scene_given(entry, "indices") + scene_given(entry, "glass") + (index_d || abbe);
     if (ways != 1 || index_d != abbe)
         return scene_fault(entry, NULL,
                            "glass '%s' has %s index; expected exactly one of: index, indices, glass, or "
                            "index_d together with abbe",
                            material->name, ways > 0 ? "no single" : "no");
-    if (named && !catalogue_indices(entry, scene_word(entry, "glass"), material))
+    if (!read_indices(entry, material))
         return false;
-    if (abbe && !cauchy_indices(entry, index))
-        return false;
-    Colour given = one ? colour_grey(scene_number(entry, "index")) : scene_colour(entry, "indices");
-    for (int c = 0; c < 3 && (one || three); c++)
-        index[c] = colour_channel(given, c);
+    const float *index = material->index;
     material->disperses = index[0] != index[1] || index[1] != index[2];
     double a, b;
     if (abbe)
-        cauchy_coefficients(scene_number(entry, "index_d"), scene_number(entry, "abbe"), &a, &b);
+        cauchy_coefficients((double)scene_number(entry, "index_d"), (double)scene_number(entry, "abbe"), &a, &b);
     else
         cauchy_through(index, &a, &b);
     material->cauchy[0] = (float)a;
