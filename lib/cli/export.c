@@ -27,11 +27,9 @@ static const Flag flags[] = {
     {"quiet", FLAG_PRESENT, &quiet, 0, 0},
 };
 
-static void print_note(void *user, const char *words)
+static void print_note(const char *words)
 {
-    (void)user;
-    if (!quiet)
-        fprintf(stderr, "  %s\n", words);
+    fprintf(stderr, "  %s\n", words);
 }
 
 static int run(void)
@@ -39,7 +37,7 @@ static int run(void)
     Error error = {""};
     if (!out)
         return report_usage("photonlab export", "say where to write the scene: -o OUT.xml");
-    if (!export_path_is_known(out, &error))
+    if (!export_format(out, &error))
         return report_usage("photonlab export", "%s", error.message);
     Scene *scene = scene_load(file, &error);
     if (!scene)
@@ -49,7 +47,7 @@ static int run(void)
                           .height = size[1] ? size[1] : s->height,
                           .samples = samples ? samples : s->samples,
                           .depth = depth ? depth : s->depth};
-    bool ok = export_write(scene, s, out, (ExportNotes){print_note, NULL}, &error);
+    bool ok = export_write(scene, s, out, quiet ? NULL : print_note, &error);
     scene_free(scene);
     return ok ? 0 : report_error(&error);
 }

@@ -15,7 +15,7 @@ static const ExportFormat *const formats[] = {
 };
 #define FORMAT_COUNT (sizeof formats / sizeof formats[0])
 
-static const ExportFormat *format_of(const char *path, Error *error)
+const ExportFormat *export_format(const char *path, Error *error)
 {
     char known[200] = "";
     for (size_t i = 0; i < FORMAT_COUNT; i++) {
@@ -27,19 +27,16 @@ static const ExportFormat *format_of(const char *path, Error *error)
     return NULL;
 }
 
-bool export_path_is_known(const char *path, Error *error)
-{
-    return format_of(path, error) != NULL;
-}
-
 void export_note(const Export *e, const char *format, ...)
 {
     char words[400];
+    if (!e->note)
+        return;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
-    e->notes.take(e->notes.user, words);
+    e->note(words);
 }
 
 // ---- materials and lights ----
@@ -60,58 +57,40 @@ static ExportGlossy glossy_of(const Export *e, const Material *material)
     }
     export_note(e,
                 "%s: the cosine lobe of exponent %g is approximated, by microfacets of roughness %.3g: %s has no Phong",
-                material->name, (double)material->exponent, (double)g.roughness, e->renderer);
+                material->name, (double)material->exponent, (double)g.roughness, e->format->renderer);
     return g;
 }
 
 // One that does not shine. False, with the error: it reflects by a rule of its own.
-static bool declare(const Export *e, const ExportFormat *format, const Material *material, const char *name)
+static bool declare(const Export *e, const Material *material, const char *name)
 {
     const MaterialKind *kind = material_kind(material);
-    bool own_lobe = kind->lobe && !kind->cosine_lobe;
-    bool own_turn = kind->turn && kind != material_kinds[MATERIAL_MIRROR];
-    ExportGlossy glossy;
-    if (own_lobe || own_turn || kind->optics == OPTICS_LIGHT)
+    if (kind->cosine_lobe) {
+        ExportGlossy glossy = glossy_of(e, material);
+        e->format->glossy(e, name, &glossy);
+    } else if (kind->optics == OPTICS_ROUGH && !kind->lobe) {
+        e->format->diffuse(e, name, material->diffuse);
+    } else if (kind == &material_mirror) {
+        e->format->mirror(e, name, material);
+    } else if (kind->optics == OPTICS_GLASS) {
+        e->format->glass(e, name, material);
+    } else {
         return error_set(e->error, "the material '%s' treats light by a rule of its own, which %s does not know",
-                         material->name, e->renderer);
-    switch (kind->optics) {
-    case OPTICS_ROUGH:
-        if (!kind->cosine_lobe) {
-            format->diffuse(e, name, material->diffuse);
-        } else {
-            glossy = glossy_of(e, material);
-            format->glossy(e, name, &glossy);
-        }
-        break;
-    case OPTICS_MIRROR:
-        format->mirror(e, name, material);
-        break;
-    case OPTICS_GLASS:
-        format->glass(e, name, material);
-        break;
-    case OPTICS_LIGHT:
-        break; // its shape shines
+                         material->name, e->format->renderer);
     }
     return true;
 }
 
-static void write_light(const Export *e, const ExportFormat *format, const Light *light)
+// One without a surface.
+static void write_light(const Export *e, const Light *light)
 {
     float share = light->type == LIGHT_SPOT ? 0.5f * (1.0f - light->cos_cone) : 1.0f; // of all directions
-    switch (light->type) {
-    case LIGHT_POINT:
-    case LIGHT_SPOT:
-        format->light(e, light, colour_scale(light->power, 1.0f / (4.0f * PI * share)));
-        break;
-    case LIGHT_BEAM:
+    if (light->type == LIGHT_BEAM)
         export_note(e,
                     "a beam is left out: %s has no lamp of parallel light with an edge that a path tracer could find",
-                    e->renderer);
-        break;
-    case LIGHT_RECTANGLE:
-    case LIGHT_SPHERE:
-        break; // shapes
-    }
+                    e->format->renderer);
+    else
+        e->format->light(e, light, colour_scale(light->power, 1.0f / (4.0f * PI * share)));
 }
 
 // ---- meshes ----
@@ -124,24 +103,18 @@ static unsigned char *put_vec3(unsigned char *at, Vec3 v)
 }
 
 // Corners are not shared: flats keep their edges.
-static void write_triangle(const Vec3 corner[3], const Vec3 *normal, FILE *stream)
-{
-    for (int i = 0; i < 3; i++) {
-        unsigned char bytes[24], *at = put_vec3(bytes, corner[i]);
-        if (normal)
-            at = put_vec3(at, normal[i]);
-        fwrite(bytes, 1, (size_t)(at - bytes), stream);
-    }
-}
-
 static void write_flat(const Scene *scene, const Flat *flat, bool with_normals, FILE *stream)
 {
     Vec3 even[3] = {flat->normal, flat->normal, flat->normal};
     const Vec3 *normals = flat->normals ? &scene->normals[flat->normals - 1] : even;
     Vec3 u = vec3_add(flat->origin, flat->edge_u), v = vec3_add(flat->origin, flat->edge_v);
-    write_triangle((Vec3[]){flat->origin, u, v}, with_normals ? normals : NULL, stream);
-    if (!flat->is_triangle)
-        write_triangle((Vec3[]){u, vec3_add(u, flat->edge_v), v}, with_normals ? even : NULL, stream);
+    Vec3 corners[6] = {flat->origin, u, v, u, vec3_add(u, flat->edge_v), v};
+    for (int i = 0; i < (flat->is_triangle ? 3 : 6); i++) {
+        unsigned char bytes[24], *at = put_vec3(bytes, corners[i]);
+        if (with_normals)
+            at = put_vec3(at, normals[i % 3]);
+        fwrite(bytes, 1, (size_t)(at - bytes), stream);
+    }
 }
 
 typedef struct {
@@ -197,17 +170,15 @@ static const Light *lamp_of(const Scene *scene, size_t material)
 {
     for (size_t i = 0; i < scene->light_count; i++) {
         uint32_t at = scene->lights[i].primitive;
-        if (at == NO_PRIMITIVE)
-            continue;
-        uint32_t own =
-            at < scene->flat_count ? scene->flats[at].material : scene->spheres[at - scene->flat_count].material;
-        if (own == material)
+        if (at != NO_PRIMITIVE &&
+            material ==
+                (at < scene->flat_count ? scene->flats[at].material : scene->spheres[at - scene->flat_count].material))
             return &scene->lights[i];
     }
     return NULL;
 }
 
-static bool write_material(const Export *e, const ExportFormat *format, size_t number, const char *path)
+static bool write_material(const Export *e, size_t number, const char *path)
 {
     const Scene *scene = e->scene;
     const Material *material = &scene->materials[number];
@@ -215,7 +186,7 @@ static bool write_material(const Export *e, const ExportFormat *format, size_t n
     char name[100], file[4096];
     snprintf(name, sizeof name, "%zu_%s", number + 1, material->name);
     make_plain(name);
-    if (!lamp && !declare(e, format, material, name))
+    if (!lamp && !declare(e, material, name))
         return false;
     MeshContent content = mesh_content(scene, number);
     if (content.triangles > 0) {
@@ -226,27 +197,28 @@ static bool write_material(const Export *e, const ExportFormat *format, size_t n
         make_plain(file + folder);
         if (!write_ply(scene, number, content, file, e->error))
             return false;
-        format->mesh(e, file + folder, content.normals, name, lamp);
+        e->format->mesh(e, file + folder, content.normals, name, lamp);
     }
     for (size_t i = 0; i < scene->sphere_count; i++)
         if (scene->spheres[i].material == number)
-            format->sphere(e, &scene->spheres[i], name, lamp);
+            e->format->sphere(e, &scene->spheres[i], name, lamp);
     return true;
 }
 
-bool export_write(const Scene *scene, const RenderSettings *settings, const char *path, ExportNotes notes, Error *error)
+bool export_write(const Scene *scene, const RenderSettings *settings, const char *path, ExportNote note, Error *error)
 {
-    const ExportFormat *format = format_of(path, error);
+    const ExportFormat *format = export_format(path, error);
     FileWriter writer;
     if (!format || !file_write_begin(&writer, path, error))
         return false;
-    Export e = {scene, writer.stream, format->renderer, notes, error};
+    Export e = {scene, writer.stream, format, note, error};
     format->begin(&e, settings);
     bool ok = true;
     for (size_t i = 0; i < scene->material_count && ok; i++)
-        ok = write_material(&e, format, i, path);
+        ok = write_material(&e, i, path);
     for (size_t i = 0; i < scene->light_count && ok; i++)
-        write_light(&e, format, &scene->lights[i]);
-    format->end(&e);
+        if (scene->lights[i].primitive == NO_PRIMITIVE)
+            write_light(&e, &scene->lights[i]);
+    fputs(format->end, writer.stream);
     return file_write_end(&writer, ok, error);
 }

@@ -7,18 +7,17 @@
 
 #include <stdio.h>
 
-// Is given, in words, what the other renderer cannot do or does otherwise.
-typedef struct {
-    void (*take)(void *user, const char *words);
-    void *user;
-} ExportNotes;
+typedef struct ExportFormat ExportFormat;
+
+// Is told, in words, what the other renderer cannot do or does otherwise; NULL: nobody is.
+typedef void (*ExportNote)(const char *words);
 
 // What a format's functions are handed.
 typedef struct {
     const Scene *scene;
     FILE *stream;
-    const char *renderer;
-    ExportNotes notes;
+    const ExportFormat *format;
+    ExportNote note;
     Error *error;
 } Export;
 
@@ -30,8 +29,8 @@ typedef struct {
 } ExportGlossy;
 
 // A renderer's language. Its functions are called from top to bottom.
-typedef struct {
-    const char *ending, *renderer;
+struct ExportFormat {
+    const char *ending, *renderer, *end; // of its files' names; its name; what stands last in a file
     void (*begin)(const Export *e, const RenderSettings *settings);
     // Declare a material under its name.
     void (*diffuse)(const Export *e, const char *name, Colour reflectance);
@@ -41,22 +40,20 @@ typedef struct {
     // Shapes of that material. Where it shines, `lamp` is not NULL and the material was not declared.
     void (*mesh)(const Export *e, const char *file, bool has_normals, const char *name, const Light *lamp);
     void (*sphere)(const Export *e, const Sphere *sphere, const char *name, const Light *lamp);
-    void (*light)(const Export *e, const Light *light,
-                  Colour intensity); // a point or a spot light; its intensity is in W/sr
-    void (*end)(const Export *e);
-} ExportFormat;
+    // A point or a spot light; its intensity is in W/sr.
+    void (*light)(const Export *e, const Light *light, Colour intensity);
+};
 
 #define EXPORT_FORMAT(name) extern const ExportFormat export_##name;
 #include "scene/export/formats.def"
 #undef EXPORT_FORMAT
 
-// True if export_write knows the path's ending; otherwise an error that names those it knows.
-bool export_path_is_known(const char *path, Error *error);
+// The one of the path's ending; NULL, with an error that names those that are known.
+const ExportFormat *export_format(const char *path, Error *error);
 
 // Writes the scene in the format of the path's ending: .xml or .pbrt. False, with the error, when a file cannot be written or a
 // material has no counterpart; then the file is not there, though meshes may be.
-bool export_write(const Scene *scene, const RenderSettings *settings, const char *path, ExportNotes notes,
-                  Error *error);
+bool export_write(const Scene *scene, const RenderSettings *settings, const char *path, ExportNote note, Error *error);
 
 // What a format tells of what is lost.
 void export_note(const Export *e, const char *format, ...);

@@ -94,7 +94,7 @@ static void put_glass(const Export *e, const char *name, const Material *materia
 {
     if (material->disperses)
         export_note(e, "%s: %s's glass has one index: it has that for green, and does not disperse", material->name,
-                    e->renderer);
+                    e->format->renderer);
     fprintf(e->stream, "<bsdf type=\"dielectric\" id=\"%s\">", name);
     put_float(e, "ext_ior", 1.0f);
     put_float(e, "int_ior", material->index[1]);
@@ -154,10 +154,5 @@ static void put_light(const Export *e, const Light *light, Colour intensity)
     fprintf(e->stream, "</emitter>\n");
 }
 
-static void end(const Export *e)
-{
-    fprintf(e->stream, "</scene>\n");
-}
-
-const ExportFormat export_mitsuba = {".xml",    "Mitsuba 3", begin,      put_diffuse, put_glossy, put_mirror,
-                                     put_glass, put_mesh,    put_sphere, put_light,   end};
+const ExportFormat export_mitsuba = {".xml",     "Mitsuba 3", "</scene>\n", begin,      put_diffuse, put_glossy,
+                                     put_mirror, put_glass,   put_mesh,     put_sphere, put_light};

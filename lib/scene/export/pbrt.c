@@ -44,29 +44,24 @@ static void begin(const Export *e, const RenderSettings *settings)
     export_note(
         e,
         "%s renders by wavelength, and its white is daylight: colours differ a little, the more often light is reflected",
-        e->renderer);
+        e->format->renderer);
 }
 
-static void name_material(const Export *e, const char *name, const char *suffix, const char *type)
+static void name_material(const Export *e, const char *name, const char *type)
 {
-    fprintf(e->stream, "MakeNamedMaterial \"%s%s\" \"string type\" [\"%s\"]", name, suffix, type);
-}
-
-static void put_matt(const Export *e, const char *name, const char *suffix, Colour reflectance)
-{
-    name_material(e, name, suffix, "diffuse");
-    put_colour(e, "reflectance", reflectance);
-    fprintf(e->stream, "\n");
+    fprintf(e->stream, "MakeNamedMaterial \"%s\" \"string type\" [\"%s\"]", name, type);
 }
 
 static void put_diffuse(const Export *e, const char *name, Colour reflectance)
 {
-    put_matt(e, name, "", reflectance);
+    name_material(e, name, "diffuse");
+    put_colour(e, "reflectance", reflectance);
+    fprintf(e->stream, "\n");
 }
 
-static void put_conductor(const Export *e, const char *name, const char *suffix, Colour reflectance, float roughness)
+static void put_conductor(const Export *e, const char *name, Colour reflectance, float roughness)
 {
-    name_material(e, name, suffix, "conductor");
+    name_material(e, name, "conductor");
     put_colour(e, "reflectance", reflectance);
     put_float(e, "roughness", roughness);
     fprintf(e->stream, " \"bool remaproughness\" [false]\n");
@@ -74,23 +69,27 @@ static void put_conductor(const Export *e, const char *name, const char *suffix,
 
 static void put_glossy(const Export *e, const char *name, const ExportGlossy *glossy)
 {
-    put_matt(e, name, ".matt", glossy->diffuse);
-    put_conductor(e, name, ".lobe", glossy->specular, glossy->roughness);
-    name_material(e, name, "", "mix");
-    fprintf(e->stream, " \"string materials\" [\"%s.matt\" \"%s.lobe\"]", name, name);
+    char matt[120], lobe[120];
+    snprintf(matt, sizeof matt, "%s.matt", name);
+    snprintf(lobe, sizeof lobe, "%s.lobe", name);
+    put_diffuse(e, matt, glossy->diffuse);
+    put_conductor(e, lobe, glossy->specular, glossy->roughness);
+    name_material(e, name, "mix");
+    fprintf(e->stream, " \"string materials\" [\"%s\" \"%s\"]", matt, lobe);
     put_float(e, "amount", glossy->share); // of the second
     fprintf(e->stream, "\n");
 }
 
 static void put_mirror(const Export *e, const char *name, const Material *material)
 {
-    export_note(e, "%s: %s's mirrors are metals, which reflect more at grazing angles", material->name, e->renderer);
-    put_conductor(e, name, "", material->specular, 0.0f);
+    export_note(e, "%s: %s's mirrors are metals, which reflect more at grazing angles", material->name,
+                e->format->renderer);
+    put_conductor(e, name, material->specular, 0.0f);
 }
 
 static void put_glass(const Export *e, const char *name, const Material *material)
 {
-    name_material(e, name, "", "dielectric");
+    name_material(e, name, "dielectric");
     if (!material->disperses) {
         put_float(e, "eta", material->index[1]);
     } else {
@@ -169,10 +168,5 @@ static void put_light(const Export *e, const Light *light, Colour intensity)
     fprintf(e->stream, "\n");
 }
 
-static void end(const Export *e)
-{
-    (void)e;
-}
-
-const ExportFormat export_pbrt = {".pbrt",   "pbrt-v4", begin,      put_diffuse, put_glossy, put_mirror,
-                                  put_glass, put_mesh,  put_sphere, put_light,   end};
+const ExportFormat export_pbrt = {".pbrt",    "pbrt-v4", "",       begin,      put_diffuse, put_glossy,
+                                  put_mirror, put_glass, put_mesh, put_sphere, put_light};

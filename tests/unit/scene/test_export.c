@@ -7,9 +7,8 @@
 
 static char told[4000];
 
-static void take(void *user, const char *words)
+static void take(const char *words)
 {
-    (void)user;
     strncat(told, words, sizeof told - strlen(told) - 1);
 }
 
@@ -17,7 +16,7 @@ static bool export_as(const Scene *scene, const char *name, char path[200], Erro
 {
     snprintf(path, 200, "%s/%s", temporary, name);
     told[0] = '\0';
-    return export_write(scene, &scene->settings, path, (ExportNotes){take, NULL}, error);
+    return export_write(scene, &scene->settings, path, take, error);
 }
 
 static Vec3 any_turn(Vec3 direction, Vec3 normal)
