@@ -57,7 +57,7 @@ static ExportGlossy glossy_of(const Export *e, const Material *material)
     }
     export_note(e,
                 "%s: the cosine lobe of exponent %g is approximated, by microfacets of roughness %.3g: %s has no Phong",
-                material->name, (double)material->exponent, (double)g.roughness, e->format->renderer);
+                material->name, material->exponent, g.roughness, e->format->renderer);
     return g;
 }
 

@@ -6,8 +6,7 @@
 
 static void put_three(const Export *e, const char *type, const char *name, Vec3 v)
 {
-    fprintf(e->stream, "<%s name=\"%s\" value=\"%.7g, %.7g, %.7g\"/>", type, name, (double)v.x, (double)v.y,
-            (double)v.z);
+    fprintf(e->stream, "<%s name=\"%s\" value=\"%.7g, %.7g, %.7g\"/>", type, name, v.x, v.y, v.z);
 }
 
 static void put_colour(const Export *e, const char *name, Colour c)
@@ -17,7 +16,7 @@ static void put_colour(const Export *e, const char *name, Colour c)
 
 static void put_float(const Export *e, const char *name, float value)
 {
-    fprintf(e->stream, "<float name=\"%s\" value=\"%.7g\"/>", name, (double)value);
+    fprintf(e->stream, "<float name=\"%s\" value=\"%.7g\"/>", name, value);
 }
 
 static void put_look(const Export *e, Vec3 from, Vec3 direction, Vec3 up)
@@ -27,8 +26,7 @@ static void put_look(const Export *e, Vec3 from, Vec3 direction, Vec3 up)
         e->stream,
         "<transform name=\"to_world\"><lookat origin=\"%.7g, %.7g, %.7g\" target=\"%.7g, %.7g, %.7g\" up=\"%.7g, %.7g, "
         "%.7g\"/></transform>",
-        (double)from.x, (double)from.y, (double)from.z, (double)to.x, (double)to.y, (double)to.z, (double)up.x,
-        (double)up.y, (double)up.z);
+        from.x, from.y, from.z, to.x, to.y, to.z, up.x, up.y, up.z);
 }
 
 // Its depth counts the lamp, and the way to the first surface, too.

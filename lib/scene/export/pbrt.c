@@ -10,17 +10,17 @@
 
 static void put_float(const Export *e, const char *name, float value)
 {
-    fprintf(e->stream, " \"float %s\" [%.7g]", name, (double)value);
+    fprintf(e->stream, " \"float %s\" [%.7g]", name, value);
 }
 
 static void put_colour(const Export *e, const char *name, Colour c)
 {
-    fprintf(e->stream, " \"rgb %s\" [%.7g %.7g %.7g]", name, (double)c.r, (double)c.g, (double)c.b);
+    fprintf(e->stream, " \"rgb %s\" [%.7g %.7g %.7g]", name, c.r, c.g, c.b);
 }
 
 static void put_point(const Export *e, const char *name, Vec3 p)
 {
-    fprintf(e->stream, " \"point3 %s\" [%.7g %.7g %.7g]", name, (double)p.x, (double)p.y, (double)p.z);
+    fprintf(e->stream, " \"point3 %s\" [%.7g %.7g %.7g]", name, p.x, p.y, p.z);
 }
 
 // Its camera looks along +z with x to the right and y up, which is left-handed: hence the first line. Its field of view is that of
@@ -32,8 +32,7 @@ static void begin(const Export *e, const RenderSettings *settings)
     float aspect = (float)settings->width / (float)settings->height;
     float tangent = camera->tan_half_fov * fminf(1.0f, aspect);
     fprintf(e->stream, "Scale -1 1 1\nLookAt %.7g %.7g %.7g  %.7g %.7g %.7g  %.7g %.7g %.7g\nCamera \"perspective\"",
-            (double)from.x, (double)from.y, (double)from.z, (double)to.x, (double)to.y, (double)to.z, (double)up.x,
-            (double)up.y, (double)up.z);
+            from.x, from.y, from.z, to.x, to.y, to.z, up.x, up.y, up.z);
     put_float(e, "fov", 2.0f * atanf(tangent) * (180.0f / PI));
     fprintf(
         e->stream,
@@ -121,7 +120,7 @@ static void put_emission(const Export *e, const char *name, const Light *light, 
         export_note(e, "a lamp's line at %.7g nm becomes a band of 6 nm", line);
     }
     for (int nm = (int)WAVELENGTH_FIRST; nm <= (int)WAVELENGTH_LAST && spectrum->line <= 0.0f; nm += 5)
-        fprintf(e->stream, " %d %.6g", nm, (double)light_power_at(light, (float)nm));
+        fprintf(e->stream, " %d %.6g", nm, light_power_at(light, (float)nm));
     fprintf(e->stream, " ]");
     put_float(e, "scale", 0.2126f * colour.r + 0.7152f * colour.g + 0.0722f * colour.b);
 }
@@ -148,8 +147,8 @@ static void put_mesh(const Export *e, const char *file, bool has_normals, const 
 static void put_sphere(const Export *e, const Sphere *sphere, const char *name, const Light *lamp)
 {
     begin_shape(e, name, lamp);
-    fprintf(e->stream, "Translate %.7g %.7g %.7g\nShape \"sphere\"", (double)sphere->centre.x, (double)sphere->centre.y,
-            (double)sphere->centre.z);
+    fprintf(e->stream, "Translate %.7g %.7g %.7g\nShape \"sphere\"", sphere->centre.x, sphere->centre.y,
+            sphere->centre.z);
     put_float(e, "radius", sphere->radius);
     fprintf(e->stream, "\nAttributeEnd\n");
 }

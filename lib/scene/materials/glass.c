@@ -30,7 +30,7 @@ static bool read_indices(SceneEntry *entry, Material *material)
         if (!(*index >= 0.1f && *index <= 10.0f))
             return scene_fault(entry, "abbe",
                                "index_d %g with abbe %g gives the index %g at %.0f nm; expected 0.1 to 10", index_d,
-                               abbe, (double)*index, wavelengths[c]);
+                               abbe, *index, wavelengths[c]);
     }
     return true;
 }

@@ -93,7 +93,7 @@ static bool build(SceneEntry *entry, Material *material)
         return scene_fault(entry, NULL,
                            "diffuse + specular of '%s' is %g in a channel; expected at most 1, or the surface "
                            "would give back more light than it gets",
-                           material->name, (double)most);
+                           material->name, most);
     material->lobe = calloc(1, sizeof *material->lobe);
     if (!material->lobe)
         return scene_fault(entry, NULL, "not enough memory");
