@@ -19,7 +19,7 @@ static void list_value(const SceneEntry *entry, int number, const SceneValue *va
     SceneValue *name = scene_value(entry, "name");
     text_append(page.text, sizeof page.text,
                 "%s{\"section\":\"%s\",\"entry\":%d,\"type\":\"%s\",\"name\":", page.text[1] ? "," : "",
-                scene_sections[entry->section]->name, number, entry->type->name);
+                entry->section->name, number, entry->type->name);
     web_append_quoted(name && name->word ? name->word : "");
     text_append(page.text, sizeof page.text, ",\"key\":\"%s\",\"whole\":%d", value->key->name,
                 value->key->kind == KEY_WHOLE);
@@ -37,12 +37,11 @@ static void list_value(const SceneEntry *entry, int number, const SceneValue *va
 static bool is_offered(const SceneEntry *entry, const SceneValue *value)
 {
     SceneKeyKind kind = value->key->kind;
-    const SceneSection *section = scene_sections[entry->section];
     if (!value->given)
         return false;
-    if (section == &material_section)
+    if (entry->section == &material_section)
         return kind == KEY_NUMBER || kind == KEY_WHOLE;
-    return section == &light_section && (kind == KEY_NUMBER || kind == KEY_WHOLE || kind == KEY_THREE);
+    return entry->section == &light_section && (kind == KEY_NUMBER || kind == KEY_WHOLE || kind == KEY_THREE);
 }
 
 // JSON, see list_value: the single numbers of materials, and of lights those and the places in space. "[]" for a text with a fault.
@@ -50,7 +49,8 @@ const char *EXPORT(web_values)(const char *text, size_t size)
 {
     Error error = {""};
     SceneFile file = {.name = "", .error = &error};
-    int section = -1, number = 0;
+    const SceneSection *section = NULL;
+    int number = 0;
     snprintf(page.text, sizeof page.text, "[");
     bool sound = scene_read(text, size, &file);
     for (size_t e = 0; sound && e < file.entry_count; e++) {

@@ -20,7 +20,8 @@ static bool build_scene(SceneBuilder *builder)
     for (int i = 0; i < SCENE_SECTIONS; i++)
         for (size_t e = 0; e < builder->file.entry_count; e++) {
             SceneEntry *entry = &builder->file.entries[e];
-            if (entry->section == i && !(scene_sections[i]->build(builder, entry) && scene_check_use(entry)))
+            if (entry->section == scene_sections[i] &&
+                !(scene_sections[i]->build(builder, entry) && scene_check_use(entry)))
                 return false;
         }
     // Spheres are counted after the flats, whose number is known only now.

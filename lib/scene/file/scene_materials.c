@@ -20,6 +20,12 @@ static const SceneType *type_at(size_t i)
     return kind ? &kind->scene : NULL;
 }
 
+const char *scene_material_name(const void *builder, size_t i)
+{
+    const SceneBuilder *of = builder;
+    return i < of->file_materials ? of->scene->materials[i].name : NULL;
+}
+
 static bool build(SceneBuilder *builder, SceneEntry *entry)
 {
     Scene *scene = builder->scene;

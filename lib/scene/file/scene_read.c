@@ -44,27 +44,20 @@ static bool next_key(SceneWalk *walk, TextNameAt name_at, const void *list, bool
     return walk_next(walk);
 }
 
-static SceneEntry *add_entry(SceneFile *file, int section, ScenePlace place)
+static SceneEntry *add_entry(SceneFile *file, const SceneSection *section, ScenePlace place)
 {
     if (!array_reserve(&file->entries, file->entry_count + 1, &file->entry_capacity, sizeof(SceneEntry))) {
         scene_out_of_memory(file);
         return NULL;
     }
     SceneEntry *entry = &file->entries[file->entry_count++];
-    *entry = (SceneEntry){
-        .file = file,
-        .section = section,
-        .common = scene_sections[section]->keys,
-        .place = place,
-        .first_value = file->value_count,
-    };
+    *entry = (SceneEntry){.file = file, .section = section, .place = place, .first_value = file->value_count};
     return entry;
 }
 
-static bool read_entry(SceneWalk *walk, int number, const char *path)
+static bool read_entry(SceneWalk *walk, const SceneSection *section, const char *path)
 {
-    const SceneSection *section = scene_sections[number];
-    SceneEntry *entry = add_entry(walk->file, number, walk_place(walk));
+    SceneEntry *entry = add_entry(walk->file, section, walk_place(walk));
     if (!entry)
         return false;
     if (walk->event.type != YAML_MAPPING_START_EVENT)
@@ -84,56 +77,54 @@ static bool read_entry(SceneWalk *walk, int number, const char *path)
     return fine && scene_complete(walk->file, entry, path);
 }
 
-static bool read_list(SceneWalk *walk, int number, size_t *count)
+static bool read_list(SceneWalk *walk, const SceneSection *section)
 {
-    const SceneSection *section = scene_sections[number];
     if (walk->event.type != YAML_SEQUENCE_START_EVENT)
         return walk_kind_fault(walk, section->name, "a list (one entry per '- ')");
-    for (; walk_next(walk); ++*count) {
+    for (size_t count = 0; walk_next(walk); count++) {
         char path[WALK_PATH];
         if (walk->event.type == YAML_SEQUENCE_END_EVENT)
             return true;
-        if (*count == section->most)
+        if (count == section->most)
             return scene_fault_at(walk->file, walk_place(walk), "%s has too many entries; expected at most %zu",
                                   section->name, section->most);
-        snprintf(path, sizeof path, "%s[%zu]", section->name, *count);
-        if (!read_entry(walk, number, path))
+        snprintf(path, sizeof path, "%s[%zu]", section->name, count);
+        if (!read_entry(walk, section, path))
             return false;
     }
     return false;
 }
 
 // A section without entries: a fault, or an entry of what holds otherwise.
-static bool leave_out(SceneFile *file, int number, ScenePlace place)
+static bool leave_out(SceneFile *file, const SceneSection *section, ScenePlace place)
 {
-    const SceneSection *section = scene_sections[number];
     if (section->most)
         return !section->required ||
                scene_fault_at(file, place, "the scene has no %s; expected at least one under '%s:'", section->name,
                               section->name);
     if (section->required)
         return scene_fault_at(file, place, "the scene has no '%s'; expected this key", section->name);
-    SceneEntry *entry = add_entry(file, number, place);
+    SceneEntry *entry = add_entry(file, section, place);
     return entry && scene_complete(file, entry, section->name);
 }
 
 static bool read_sections(SceneWalk *walk)
 {
     ScenePlace start = walk_place(walk), places[SCENE_SECTIONS] = {{0, 0}};
-    size_t counts[SCENE_SECTIONS] = {0};
-    bool seen[MOST_ROWS] = {false}, fine;
+    bool seen[MOST_ROWS] = {false}, filled[SCENE_SECTIONS] = {false}, fine;
     int i;
     if (walk->event.type != YAML_MAPPING_START_EVENT)
         return walk_kind_fault(walk, "the scene", "keys with values (key: value)");
     while ((fine = next_key(walk, section_name, NULL, seen, &i)) && i >= 0) {
+        const SceneSection *section = scene_sections[i];
+        size_t before = walk->file->entry_count;
         places[i] = walk_place(walk);
-        bool list = scene_sections[i]->most;
-        if (!(list ? read_list(walk, i, &counts[i]) : read_entry(walk, i, scene_sections[i]->name)))
+        if (!(section->most ? read_list(walk, section) : read_entry(walk, section, section->name)))
             return false;
-        counts[i] += !list;
+        filled[i] = walk->file->entry_count > before;
     }
     for (i = 0; fine && i < SCENE_SECTIONS; i++)
-        fine = counts[i] || leave_out(walk->file, i, places[i].line ? places[i] : start);
+        fine = filled[i] || leave_out(walk->file, scene_sections[i], seen[i] ? places[i] : start);
     return fine;
 }
 
@@ -142,7 +133,7 @@ static bool read_text(SceneWalk *walk)
     if (!walk_next(walk) || !walk_next(walk)) // start of stream, start of document
         return false;
     if (walk->event.type == YAML_STREAM_END_EVENT)
-        return scene_fault_at(walk->file, (ScenePlace){1, 1},
+        return scene_fault_at(walk->file, ((ScenePlace){1, 1}),
                               "the file is empty; expected camera, materials, lights and shapes");
     if (!walk_next(walk) || !read_sections(walk) || !walk_next(walk) || !walk_next(walk))
         return false;

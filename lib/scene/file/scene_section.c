@@ -40,7 +40,7 @@ SceneValue *scene_add_value(SceneFile *file, SceneEntry *entry, const SceneKey *
 // The row of a key; NULL: its type has none.
 static const SceneKey *row_of(const SceneEntry *entry, const char *name)
 {
-    const SceneKey *const tables[] = {entry->common, entry->type->keys};
+    const SceneKey *const tables[] = {entry->section->keys, entry->type->keys};
     for (int t = 0; t < 2; t++)
         for (const SceneKey *row = tables[t]; row->name; row++)
             if (strcmp(row->name, name) == 0)
@@ -55,7 +55,9 @@ static bool check_range(const SceneEntry *entry, const char *path, const SceneVa
     if (value->word && (double)strlen(value->word) > range->high)
         return scene_fault_at(entry->file, value->place, "%s.%s is %zu characters long; expected at most %.0f", path,
                               key->name, strlen(value->word), range->high);
-    for (int i = 0; i < value->count; i++) {
+    int count =
+        key->kind == KEY_THREE || key->kind == KEY_COLOUR ? 3 : key->kind == KEY_NUMBER || key->kind == KEY_WHOLE;
+    for (int i = 0; i < count; i++) {
         double number = value->number[i];
         if (range->open ? number > range->low && number < range->high : number >= range->low && number <= range->high)
             continue;
@@ -68,14 +70,10 @@ static bool check_range(const SceneEntry *entry, const char *path, const SceneVa
     return true;
 }
 
-typedef struct {
-    char text[400];
-} KeyList;
-
 // The names of the keys that are required, and of the others too.
-static KeyList list_keys(const SceneKey *keys, bool others)
+static TextSuggestion list_keys(const SceneKey *keys, bool others)
 {
-    KeyList list = {""};
+    TextSuggestion list = {""};
     for (int pass = 0; pass <= others; pass++)
         for (const SceneKey *key = keys; key->name; key++)
             if (!key->otherwise == !pass)
@@ -89,7 +87,7 @@ static bool add_others(SceneFile *file, SceneEntry *entry, const SceneKey *keys,
     for (const SceneKey *key = keys; key->name; key++) {
         if (scene_value(entry, key->name))
             continue;
-        if (!key->otherwise && (keys == entry->common || !entry->type->called))
+        if (!key->otherwise && (keys == entry->section->keys || !entry->type->called))
             return scene_fault(entry, NULL, "%s has no '%s'; expected this key", path, key->name);
         if (!key->otherwise)
             return scene_fault(entry, NULL, "this %s has no '%s'; expected the keys: %s", entry->type->called,
@@ -110,11 +108,11 @@ static bool add_others(SceneFile *file, SceneEntry *entry, const SceneKey *keys,
 
 bool scene_complete(SceneFile *file, SceneEntry *entry, const char *path)
 {
-    if (!add_others(file, entry, entry->common, path))
+    if (!add_others(file, entry, entry->section->keys, path))
         return false;
     const SceneValue *type = scene_value(entry, "type");
     entry->type_number = type ? (size_t)type->number[0] : 0;
-    entry->type = scene_type_at(scene_sections[entry->section], entry->type_number);
+    entry->type = scene_type_at(entry->section, entry->type_number);
     for (size_t i = 0; i < entry->value_count; i++) {
         SceneValue *value = &file->values[entry->first_value + i];
         const SceneKey *row = row_of(entry, value->key->name);

@@ -1,11 +1,53 @@
-// The sections of a scene file: camera, render, materials, lights, shapes. Their table is the whole format: what may
-// stand in each, and what is made of it.
+// What a scene file says, as it was read, and its sections: camera, render, materials, lights, shapes. Their table is the
+// whole format: what may stand in each, and what is made of it.
 #ifndef PHOTONLAB_SCENE_SCENE_SECTION_H
 #define PHOTONLAB_SCENE_SCENE_SECTION_H
 
 #include "scene/limits.h"
 #include "scene/scene.h"
-#include "scene/scene_entry.h"
+#include "scene/scene_key.h"
+
+typedef struct {
+    uint32_t line, column; // from 1
+} ScenePlace;
+
+// The value of a key.
+typedef struct {
+    const SceneKey *key;
+    bool given; // by the file; otherwise the value that holds where it leaves the key out
+    bool asked; // for by a build function
+    ScenePlace place, part[3];
+    double number[3]; // of KEY_TYPE: the type's number
+    char *word;
+} SceneValue;
+
+typedef struct {
+    const char *name; // for messages
+    Error *error;
+    SceneEntry *entries;
+    SceneValue *values;
+    size_t entry_count, entry_capacity, value_count, value_capacity;
+} SceneFile;
+
+struct SceneEntry {
+    const SceneFile *file;
+    const struct SceneSection *section;
+    const SceneType *type;
+    size_t type_number; // in its section
+    ScenePlace place;
+    size_t first_value, value_count; // in file->values
+    const char *without_row;         // a key that was asked for and is none
+};
+
+// NULL: it has none for this key.
+SceneValue *scene_value(const SceneEntry *entry, const char *key);
+
+// A fault at a place that is no key's. Always false.
+#define scene_fault_at(of, at, ...) scene_fault(&(SceneEntry){.file = of, .place = at}, NULL, __VA_ARGS__)
+bool scene_out_of_memory(const SceneFile *file); // "file: not enough memory", false
+
+// Was every given key asked for, and no other? If not, the program lacks a row, or the code that uses one.
+bool scene_check_use(const SceneEntry *entry);
 
 // A scene half made.
 typedef struct {
@@ -34,7 +76,7 @@ bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t materia
 // Turns by an angle in degrees about axis 0, 1 or 2, counter-clockwise for who looks against the axis.
 Vec3 scene_rotate(Vec3 p, int axis, float degrees);
 
-typedef struct {
+typedef struct SceneSection {
     const char *name, *meaning;
     size_t most;                           // entries of a list; 0: the section is a single entry
     bool required;                         // this entry, or at least one of the list

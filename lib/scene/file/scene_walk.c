@@ -145,19 +145,12 @@ static bool read_type(const SceneWalk *walk, const SceneSection *section, const 
 bool walk_read_value(SceneWalk *walk, const SceneSection *section, const char *path, SceneValue *value)
 {
     value->place = value->part[0] = walk_place(walk);
-    switch (value->key->kind) {
-    case KEY_NUMBER:
-    case KEY_WHOLE:
-        value->count = 1;
-        return read_number(walk, path, value->key->kind == KEY_WHOLE, value->number);
-    case KEY_THREE:
-    case KEY_COLOUR:
-        value->count = 3;
-        return read_three(walk, path, value);
-    case KEY_WORD:
-        return read_word(walk, path, value);
-    case KEY_TYPE:
+    SceneKeyKind kind = value->key->kind;
+    if (kind == KEY_TYPE)
         return read_type(walk, section, path, value);
-    }
-    return false;
+    if (kind == KEY_WORD)
+        return read_word(walk, path, value);
+    if (kind == KEY_THREE || kind == KEY_COLOUR)
+        return read_three(walk, path, value);
+    return read_number(walk, path, kind == KEY_WHOLE, value->number);
 }

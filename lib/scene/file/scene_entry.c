@@ -1,33 +1,20 @@
-#include "scene/scene_entry.h"
+#include "scene/file/scene_section.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-static bool fault(const SceneFile *file, ScenePlace place, const char *format, va_list arguments)
-{
-    char what[700];
-    vsnprintf(what, sizeof what, format, arguments);
-    return error_set(file->error, "%s:%u:%u: %s", file->name, (unsigned)place.line, (unsigned)place.column, what);
-}
-
-bool scene_fault_at(const SceneFile *file, ScenePlace place, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    fault(file, place, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
 bool scene_fault(const SceneEntry *entry, const char *key, const char *format, ...)
 {
     const SceneValue *value = key ? scene_value(entry, key) : NULL;
+    ScenePlace at = value ? value->place : entry->place;
+    char what[700];
     va_list arguments;
     va_start(arguments, format);
-    fault(entry->file, value ? value->place : entry->place, format, arguments);
+    vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
-    return false;
+    return error_set(entry->file->error, "%s:%u:%u: %s", entry->file->name, (unsigned)at.line, (unsigned)at.column,
+                     what);
 }
 
 bool scene_out_of_memory(const SceneFile *file)
