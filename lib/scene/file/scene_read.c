@@ -30,10 +30,10 @@ static bool next_key(SceneWalk *walk, TextNameAt name_at, const void *list, bool
         return false;
     if (walk->event.type == YAML_MAPPING_END_EVENT)
         return true;
-    if (walk->event.type != YAML_SCALAR_EVENT)
-        return scene_fault_at(walk->file, walk_place(walk), "a key must be a word; expected key: value");
-    const char *key = (const char *)walk->event.data.scalar.value;
+    const char *key = walk_scalar(walk);
     size_t i;
+    if (!key)
+        return scene_fault_at(walk->file, walk_place(walk), "a key must be a word; expected key: value");
     if (!text_find_name(key, name_at, list, &i) || i >= MOST_ROWS)
         return scene_fault_at(walk->file, walk_place(walk), "unknown key '%.50s'; %s", key,
                               text_suggest(key, name_at, list).text);

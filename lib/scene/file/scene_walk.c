@@ -47,37 +47,33 @@ bool walk_next(SceneWalk *walk)
     return yaml_parser_parse(&walk->parser, &walk->event) || syntax_fault(walk);
 }
 
-bool walk_kind_fault(const SceneWalk *walk, const char *path, const char *expected)
+const char *walk_scalar(const SceneWalk *walk)
 {
-    const yaml_event_t *event = &walk->event;
-    char found[64] = "a list";
-    if (event->type == YAML_ALIAS_EVENT)
-        return scene_fault_at(walk->file, walk_place(walk),
-                              "an alias (*name); scene files cannot repeat values by aliases");
-    if (event->type == YAML_MAPPING_START_EVENT)
-        snprintf(found, sizeof found, "keys with values");
-    else if (event->type == YAML_SCALAR_EVENT && event->data.scalar.length == 0)
-        snprintf(found, sizeof found, "nothing");
-    else if (event->type == YAML_SCALAR_EVENT)
-        snprintf(found, sizeof found, "'%.50s'", (const char *)event->data.scalar.value);
-    return scene_fault_at(walk->file, walk_place(walk), "%s is %s; expected %s", path, found, expected);
+    return walk->event.type == YAML_SCALAR_EVENT ? (const char *)walk->event.data.scalar.value : NULL;
 }
 
-// The scalar at hand; NULL, with the fault told, when something else stands there.
-static const char *scalar(const SceneWalk *walk, const char *path, const char *expected)
+bool walk_kind_fault(const SceneWalk *walk, const char *path, const char *expected)
 {
-    if (walk->event.type == YAML_SCALAR_EVENT)
-        return (const char *)walk->event.data.scalar.value;
-    walk_kind_fault(walk, path, expected);
-    return NULL;
+    const char *word = walk_scalar(walk);
+    char found[64] = "a list";
+    if (walk->event.type == YAML_ALIAS_EVENT)
+        return scene_fault_at(walk->file, walk_place(walk),
+                              "an alias (*name); scene files cannot repeat values by aliases");
+    if (walk->event.type == YAML_MAPPING_START_EVENT)
+        snprintf(found, sizeof found, "keys with values");
+    else if (word && walk->event.data.scalar.length == 0)
+        snprintf(found, sizeof found, "nothing");
+    else if (word)
+        snprintf(found, sizeof found, "'%.50s'", word);
+    return scene_fault_at(walk->file, walk_place(walk), "%s is %s; expected %s", path, found, expected);
 }
 
 static bool read_number(const SceneWalk *walk, const char *path, bool whole, double *number)
 {
     const char *expected = whole ? "a whole number such as 100000" : "a number";
-    const char *word = scalar(walk, path, expected), *at = word;
+    const char *word = walk_scalar(walk), *at = word;
     if (!word)
-        return false;
+        return walk_kind_fault(walk, path, expected);
     const char *end = word + walk->event.data.scalar.length;
     // YAML would read a number with a leading 0 by base eight.
     bool octal = word[strspn(word, "+-")] == '0' && end - word > 1;
@@ -114,10 +110,8 @@ static bool read_three(SceneWalk *walk, const char *path, SceneValue *value)
 
 static bool read_word(const SceneWalk *walk, const char *path, SceneValue *value)
 {
-    const char *word = scalar(walk, path, "a word");
-    if (!word)
-        return false;
-    if (!word[0] || strlen(word) != walk->event.data.scalar.length)
+    const char *word = walk_scalar(walk);
+    if (!word || !word[0] || strlen(word) != walk->event.data.scalar.length)
         return walk_kind_fault(walk, path, "a word");
     value->word = strdup(word);
     return value->word || scene_out_of_memory(walk->file);
@@ -132,9 +126,9 @@ static const char *type_name(const void *section, size_t i)
 static bool read_type(const SceneWalk *walk, const SceneSection *section, const char *path, SceneValue *value)
 {
     size_t number;
-    const char *word = scalar(walk, path, "a word");
+    const char *word = walk_scalar(walk);
     if (!word)
-        return false;
+        return walk_kind_fault(walk, path, "a word");
     if (!text_find_name(word, type_name, section, &number))
         return scene_fault_at(walk->file, walk_place(walk), "%s is '%.50s'; %s", path, word,
                               text_suggest(word, type_name, section).text);

@@ -19,8 +19,9 @@ typedef struct {
 // The next event is at hand. False, with the fault told, where the text is no YAML.
 bool walk_next(SceneWalk *walk);
 
-// Where the event at hand begins.
+// Where the event at hand begins, and the word that it is; NULL: it is none.
 ScenePlace walk_place(const SceneWalk *walk);
+const char *walk_scalar(const SceneWalk *walk);
 
 // What is at hand is something else than what is `expected`. Always false.
 bool walk_kind_fault(const SceneWalk *walk, const char *path, const char *expected);
