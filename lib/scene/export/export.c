@@ -41,43 +41,41 @@ void export_note(const Export *e, const char *format, ...)
 
 // ---- materials and lights ----
 
+// Each channel of a reflectance as that of one part of a mixture, which has this share in it.
+static Colour part(Colour whole, float share)
+{
+    if (share <= 0.0f)
+        return colour_grey(0.0f);
+    return colour(fminf(whole.r / share, 1.0f), fminf(whole.g / share, 1.0f), fminf(whole.b / share, 1.0f));
+}
+
 // cosⁿα ≈ exp(−nα²/2) about the mirror direction; a facet turns by half of α, and Beckmann's facets lie as exp(−tan²θ/roughness²).
 static ExportGlossy glossy_of(const Export *e, const Material *material)
 {
     float diffuse = colour_max(material->diffuse), specular = colour_max(material->specular);
-    float n = fmaxf(material->exponent, 0.5f);
-    ExportGlossy g = {.share = specular > 0.0f ? specular / (diffuse + specular) : 0.0f,
-                      .roughness = fminf(1.0f, 1.0f / sqrtf(2.0f * n))};
-    for (int c = 0; c < 3; c++) {
-        float rest = 1.0f - g.share;
-        float d = rest > 0.0f ? colour_channel(material->diffuse, c) / rest : 0.0f;
-        float s = g.share > 0.0f ? colour_channel(material->specular, c) / g.share : 0.0f;
-        colour_set_channel(&g.diffuse, c, fminf(d, 1.0f));
-        colour_set_channel(&g.specular, c, fminf(s, 1.0f));
-    }
+    float share = specular > 0.0f ? specular / (diffuse + specular) : 0.0f;
+    float roughness = fminf(1.0f, 1.0f / sqrtf(2.0f * fmaxf(material->exponent, 0.5f)));
     export_note(e,
                 "%s: the cosine lobe of exponent %g is approximated, by microfacets of roughness %.3g: %s has no Phong",
-                material->name, material->exponent, g.roughness, e->format->renderer);
-    return g;
+                material->name, material->exponent, roughness, e->format->renderer);
+    return (ExportGlossy){share, part(material->diffuse, 1.0f - share), part(material->specular, share), roughness};
 }
 
 // One that does not shine. False, with the error: it reflects by a rule of its own.
 static bool declare(const Export *e, const Material *material, const char *name)
 {
     const MaterialKind *kind = material_kind(material);
-    if (kind->cosine_lobe) {
-        ExportGlossy glossy = glossy_of(e, material);
-        e->format->glossy(e, name, &glossy);
-    } else if (kind->optics == OPTICS_ROUGH && !kind->lobe) {
+    if (kind->cosine_lobe)
+        e->format->glossy(e, name, glossy_of(e, material));
+    else if (kind->optics == OPTICS_ROUGH && !kind->lobe)
         e->format->diffuse(e, name, material->diffuse);
-    } else if (kind == &material_mirror) {
+    else if (kind == &material_mirror)
         e->format->mirror(e, name, material);
-    } else if (kind->optics == OPTICS_GLASS) {
+    else if (kind->optics == OPTICS_GLASS)
         e->format->glass(e, name, material);
-    } else {
+    else
         return error_set(e->error, "the material '%s' treats light by a rule of its own, which %s does not know",
                          material->name, e->format->renderer);
-    }
     return true;
 }
 

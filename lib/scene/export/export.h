@@ -34,7 +34,7 @@ struct ExportFormat {
     void (*begin)(const Export *e, const RenderSettings *settings);
     // Declare a material under its name.
     void (*diffuse)(const Export *e, const char *name, Colour reflectance);
-    void (*glossy)(const Export *e, const char *name, const ExportGlossy *glossy);
+    void (*glossy)(const Export *e, const char *name, ExportGlossy glossy);
     void (*mirror)(const Export *e, const char *name, const Material *material);
     void (*glass)(const Export *e, const char *name, const Material *material);
     // Shapes of that material. Where it shines, `lamp` is not NULL and the material was not declared.

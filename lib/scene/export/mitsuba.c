@@ -68,15 +68,15 @@ static void put_diffuse(const Export *e, const char *name, Colour reflectance)
     fprintf(e->stream, "</bsdf>\n");
 }
 
-static void put_glossy(const Export *e, const char *name, const ExportGlossy *glossy)
+static void put_glossy(const Export *e, const char *name, ExportGlossy glossy)
 {
     begin_twosided(e, name);
     fprintf(e->stream, "<bsdf type=\"blendbsdf\">");
-    put_float(e, "weight", glossy->share);
-    put_matt(e, glossy->diffuse);
+    put_float(e, "weight", glossy.share);
+    put_matt(e, glossy.diffuse);
     fprintf(e->stream, "<bsdf type=\"roughconductor\"><string name=\"material\" value=\"none\"/>");
-    put_float(e, "alpha", glossy->roughness);
-    put_colour(e, "specular_reflectance", glossy->specular);
+    put_float(e, "alpha", glossy.roughness);
+    put_colour(e, "specular_reflectance", glossy.specular);
     fprintf(e->stream, "</bsdf></bsdf></bsdf>\n");
 }
 

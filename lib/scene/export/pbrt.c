@@ -66,16 +66,16 @@ static void put_conductor(const Export *e, const char *name, Colour reflectance,
     fprintf(e->stream, " \"bool remaproughness\" [false]\n");
 }
 
-static void put_glossy(const Export *e, const char *name, const ExportGlossy *glossy)
+static void put_glossy(const Export *e, const char *name, ExportGlossy glossy)
 {
     char matt[120], lobe[120];
     snprintf(matt, sizeof matt, "%s.matt", name);
     snprintf(lobe, sizeof lobe, "%s.lobe", name);
-    put_diffuse(e, matt, glossy->diffuse);
-    put_conductor(e, lobe, glossy->specular, glossy->roughness);
+    put_diffuse(e, matt, glossy.diffuse);
+    put_conductor(e, lobe, glossy.specular, glossy.roughness);
     name_material(e, name, "mix");
     fprintf(e->stream, " \"string materials\" [\"%s\" \"%s\"]", matt, lobe);
-    put_float(e, "amount", glossy->share); // of the second
+    put_float(e, "amount", glossy.share); // of the second
     fprintf(e->stream, "\n");
 }
 

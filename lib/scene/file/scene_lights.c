@@ -172,8 +172,7 @@ static bool set_spectrum(SceneBuilder *builder, SceneEntry *entry, Light *light)
         if (!spectrum_parse(words, light->spectrum, &why))
             return scene_fault(entry, "spectrum", "no spectrum '%s': %s", words, why);
         Colour seen = spectrum_colour(light->spectrum, light->given_power, colour_grey(1.0f));
-        for (int c = 0; c < 3; c++)
-            colour_set_channel(&light->power, c, fmaxf(0.0f, colour_channel(seen, c)));
+        light->power = colour(fmaxf(0.0f, seen.r), fmaxf(0.0f, seen.g), fmaxf(0.0f, seen.b));
     }
     float per_watt = light->area > 0.0f ? 1.0f / (PI * light->area) : 1.0f;
     if (words && light->area > 0.0f) {
