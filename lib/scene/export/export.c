@@ -13,12 +13,11 @@
 static const ExportFormat *const formats[] = {
 #include "scene/export/formats.def"
 };
-#define FORMAT_COUNT (sizeof formats / sizeof formats[0])
 
 const ExportFormat *export_format(const char *path, Error *error)
 {
     char known[200] = "";
-    for (size_t i = 0; i < FORMAT_COUNT; i++) {
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
         if (file_ends_in(path, formats[i]->ending))
             return formats[i];
         text_append(known, sizeof known, "%s%s (%s)", i == 0 ? "" : " or ", formats[i]->ending, formats[i]->renderer);
@@ -38,8 +37,6 @@ void export_note(const Export *e, const char *format, ...)
     va_end(arguments);
     e->note(words);
 }
-
-// ---- materials and lights ----
 
 // Each channel of a reflectance as that of one part of a mixture, which has this share in it.
 static Colour part(Colour whole, float share)
@@ -90,8 +87,6 @@ static void write_light(const Export *e, const Light *light)
     else
         e->format->light(e, light, colour_scale(light->power, 1.0f / (4.0f * PI * share)));
 }
-
-// ---- meshes ----
 
 static unsigned char *put_vec3(unsigned char *at, Vec3 v)
 {
@@ -153,8 +148,6 @@ static bool write_ply(const Scene *scene, size_t material, MeshContent content, 
     }
     return file_write_end(&writer, true, error);
 }
-
-// ---- the whole ----
 
 // Letters and digits of ASCII stay: it becomes part of a file's name, and of words in quotes.
 static void make_plain(char *name)

@@ -19,7 +19,7 @@ static const SceneType camera_type = {
     .example = "camera: {position: [0, 0, 3.9], target: [0, 0, 0], vertical_fov: 39.3}",
 };
 
-static bool build_camera(SceneBuilder *builder, SceneEntry *entry)
+static bool build_camera(SceneEntry *entry)
 {
     Vec3 position = scene_three(entry, "position"), target = scene_three(entry, "target");
     Vec3 up = scene_three(entry, "up"), view = vec3_sub(target, position);
@@ -28,7 +28,7 @@ static bool build_camera(SceneBuilder *builder, SceneEntry *entry)
     if (flat_is_degenerate(view, up))
         return scene_fault(entry, "up", "up (%g, %g, %g) is zero or along the view; expected another direction", up.x,
                            up.y, up.z);
-    builder->scene->camera = camera_create(position, target, up, scene_number(entry, "vertical_fov"));
+    entry->file->scene->camera = camera_create(position, target, up, scene_number(entry, "vertical_fov"));
     return true;
 }
 
@@ -54,7 +54,7 @@ static const SceneType render_type = {
     .example = "render: {width: 768, height: 432, samples: 16, photons: 2000000, k: 240, radius: 0.004}",
 };
 
-static bool build_render(SceneBuilder *builder, SceneEntry *entry)
+static bool build_render(SceneEntry *entry)
 {
     Integrator integrator;
     if (!integrator_parse(scene_word(entry, "integrator"), &integrator))
@@ -63,7 +63,7 @@ static bool build_render(SceneBuilder *builder, SceneEntry *entry)
     const char *spectral = scene_word(entry, "spectral");
     if (strcmp(spectral, "yes") != 0 && strcmp(spectral, "no") != 0)
         return scene_fault(entry, "spectral", "spectral is '%s'; expected yes or no", spectral);
-    builder->scene->settings = (RenderSettings){
+    entry->file->scene->settings = (RenderSettings){
         .integrator = integrator,
         .spectral = strcmp(spectral, "yes") == 0,
         .width = (int)scene_whole(entry, "width"),

@@ -5,9 +5,9 @@
 
 // A Lambertian surface of area A and radiance L sends out Φ = πAL. The file gives one of the two. The surface shines by a
 // material of its own, which stands after those of the file.
-static bool set_emission(SceneBuilder *builder, SceneEntry *entry, Light *light, uint32_t *material)
+static bool set_emission(SceneEntry *entry, Light *light, uint32_t *material)
 {
-    Scene *scene = builder->scene;
+    Scene *scene = entry->file->scene;
     bool radiance = scene_given(entry, "radiance"), power = scene_given(entry, "power");
     if (radiance == power)
         return scene_fault(entry, NULL, "this light has %s; expected exactly one of radiance and power",
@@ -31,7 +31,7 @@ static bool set_emission(SceneBuilder *builder, SceneEntry *entry, Light *light,
     return true;
 }
 
-static bool build_rectangle(SceneBuilder *builder, SceneEntry *entry, Light *light)
+static bool build_rectangle(SceneEntry *entry, Light *light)
 {
     light->position = scene_three(entry, "corner");
     light->edge_u = scene_three(entry, "edge_u");
@@ -41,34 +41,33 @@ static bool build_rectangle(SceneBuilder *builder, SceneEntry *entry, Light *lig
     Vec3 normal = vec3_cross(light->edge_u, light->edge_v);
     light->area = vec3_length(normal);
     light->direction = vec3_scale(normal, 1.0f / light->area);
-    light->primitive = (uint32_t)builder->scene->flat_count;
+    light->primitive = (uint32_t)entry->file->scene->flat_count;
     Flat flat = {.origin = light->position, .edge_u = light->edge_u, .edge_v = light->edge_v};
-    return set_emission(builder, entry, light, &flat.material) && scene_add_flat(builder, flat);
+    return set_emission(entry, light, &flat.material) && scene_add_flat(entry, flat);
 }
 
-static bool build_sphere(SceneBuilder *builder, SceneEntry *entry, Light *light)
+static bool build_sphere(SceneEntry *entry, Light *light)
 {
     light->position = scene_three(entry, "centre");
     light->radius = scene_number(entry, "radius");
     light->area = 4.0f * PI * light->radius * light->radius;
-    light->primitive = (uint32_t)builder->scene->sphere_count;
+    light->primitive = (uint32_t)entry->file->scene->sphere_count;
     Sphere sphere = {.centre = light->position, .radius = light->radius};
-    return set_emission(builder, entry, light, &sphere.material) && scene_add_sphere(builder, sphere);
+    return set_emission(entry, light, &sphere.material) && scene_add_sphere(entry, sphere);
 }
 
 // Point, spot and beam have no surface.
-static bool build_point(SceneBuilder *builder, SceneEntry *entry, Light *light)
+static bool build_point(SceneEntry *entry, Light *light)
 {
-    (void)builder;
     light->position = scene_three(entry, "position");
     light->power = scene_colour(entry, "power");
     return true;
 }
 
 // Spot and beam point from their position to their target.
-static bool aim(SceneBuilder *builder, SceneEntry *entry, Light *light)
+static bool aim(SceneEntry *entry, Light *light)
 {
-    build_point(builder, entry, light);
+    build_point(entry, light);
     Vec3 way = vec3_sub(scene_three(entry, "target"), light->position);
     if (vec3_length(way) < SCENE_SMALLEST_LENGTH)
         return scene_fault(entry, "target", "the target is the light's position; expected another point");
@@ -76,15 +75,15 @@ static bool aim(SceneBuilder *builder, SceneEntry *entry, Light *light)
     return true;
 }
 
-static bool build_spot(SceneBuilder *builder, SceneEntry *entry, Light *light)
+static bool build_spot(SceneEntry *entry, Light *light)
 {
     light->cos_cone = cosf(scene_number(entry, "angle") * (PI / 180.0f));
-    return aim(builder, entry, light);
+    return aim(entry, light);
 }
 
-static bool build_beam(SceneBuilder *builder, SceneEntry *entry, Light *light)
+static bool build_beam(SceneEntry *entry, Light *light)
 {
-    if (!aim(builder, entry, light))
+    if (!aim(entry, light))
         return false;
     light->radius = scene_number(entry, "radius");
     // Across the beam: start from the axis that is least along it.
@@ -133,7 +132,7 @@ static const SceneKeys beam_keys = {
 
 typedef struct {
     SceneType type;
-    bool (*build)(SceneBuilder *builder, SceneEntry *entry, Light *light);
+    bool (*build)(SceneEntry *entry, Light *light);
 } LightKind;
 
 static const LightKind kinds[] = {
@@ -160,15 +159,15 @@ static const LightKind kinds[] = {
 };
 
 // The file's power, as the spectrum colours it: for red, green and blue without what lies below 0, and for wavelengths.
-static bool set_spectrum(SceneBuilder *builder, SceneEntry *entry, Light *light)
+static bool set_spectrum(SceneEntry *entry, Light *light)
 {
-    Scene *scene = builder->scene;
+    Scene *scene = entry->file->scene;
     light->given_power = light->power;
     const char *words = scene_word(entry, "spectrum"), *why;
     if (words) {
         light->spectrum = malloc(sizeof *light->spectrum);
         if (!light->spectrum)
-            return scene_out_of_memory(&builder->file);
+            return scene_out_of_memory(entry->file);
         if (!spectrum_parse(words, light->spectrum, &why))
             return scene_fault(entry, "spectrum", "no spectrum '%s': %s", words, why);
         Colour seen = spectrum_colour(light->spectrum, light->given_power, colour_grey(1.0f));
@@ -192,15 +191,15 @@ static const SceneType *type_at(size_t i)
     return i < sizeof kinds / sizeof kinds[0] ? &kinds[i].type : NULL;
 }
 
-static bool build(SceneBuilder *builder, SceneEntry *entry)
+static bool build(SceneEntry *entry)
 {
     const LightKind *kind = &kinds[entry->type_number];
     const char *brightness = scene_given(entry, "power") ? "power" : "radiance";
     if (scene_given(entry, brightness) && colour_max(scene_colour(entry, brightness)) <= 0)
         return scene_fault(entry, brightness, "this light is dark; expected a number above 0");
     Light light = {.type = (LightType)entry->type_number, .primitive = NO_PRIMITIVE};
-    bool ok = kind->build(builder, entry, &light) && set_spectrum(builder, entry, &light);
-    builder->scene->lights[builder->scene->light_count++] = light; // in any case, so that its spectrum is freed
+    bool ok = kind->build(entry, &light) && set_spectrum(entry, &light);
+    entry->file->scene->lights[entry->file->scene->light_count++] = light; // in any case, so that its spectrum is freed
     return ok;
 }
 

@@ -9,19 +9,18 @@
 
 #define LARGEST_SCENE_FILE (4u << 20) // bytes; big geometry belongs into a mesh
 
-static bool build_scene(SceneBuilder *builder)
+static bool build_scene(SceneFile *file)
 {
-    Scene *scene = builder->scene;
+    Scene *scene = file->scene;
     scene->materials = calloc(MAX_MATERIALS, sizeof *scene->materials);
     scene->lights = calloc(MAX_LIGHTS, sizeof *scene->lights);
-    scene->spheres = calloc(builder->file.entry_count, sizeof *scene->spheres); // an entry makes one at most
+    scene->spheres = calloc(file->entry_count, sizeof *scene->spheres); // an entry makes one at most
     if (!scene->materials || !scene->lights || !scene->spheres)
-        return scene_out_of_memory(&builder->file);
+        return scene_out_of_memory(file);
     for (int i = 0; i < SCENE_SECTIONS; i++)
-        for (size_t e = 0; e < builder->file.entry_count; e++) {
-            SceneEntry *entry = &builder->file.entries[e];
-            if (entry->section == scene_sections[i] &&
-                !(scene_sections[i]->build(builder, entry) && scene_check_use(entry)))
+        for (size_t e = 0; e < file->entry_count; e++) {
+            SceneEntry *entry = &file->entries[e];
+            if (entry->section == scene_sections[i] && !(scene_sections[i]->build(entry) && scene_check_use(entry)))
                 return false;
         }
     // Spheres are counted after the flats, whose number is known only now.
@@ -30,24 +29,24 @@ static bool build_scene(SceneBuilder *builder)
             scene->lights[i].primitive += (uint32_t)scene->flat_count;
     for (size_t i = 0; i < scene->flat_count; i++)
         scene->flats[i].normal = vec3_normalize(vec3_cross(scene->flats[i].edge_u, scene->flats[i].edge_v));
-    scene->bvh = bvh_build(scene->flats, scene->flat_count, scene->spheres, scene->sphere_count, builder->file.error);
-    return scene->bvh || error_set(builder->file.error, "%s: not enough memory for the hierarchy", builder->file.name);
+    scene->bvh = bvh_build(scene->flats, scene->flat_count, scene->spheres, scene->sphere_count, file->error);
+    return scene->bvh || error_set(file->error, "%s: not enough memory for the hierarchy", file->name);
 }
 
-Scene *scene_load_text(const char *text, size_t size, const char *file, const char *folder, Error *error)
+Scene *scene_load_text(const char *text, size_t size, const char *name, const char *folder, Error *error)
 {
-    SceneBuilder builder = {.file = {.name = file, .error = error}, .folder = folder};
-    if (scene_read(text, size, &builder.file)) {
-        builder.scene = calloc(1, sizeof *builder.scene);
-        if (!builder.scene)
-            scene_out_of_memory(&builder.file);
-        else if (!build_scene(&builder)) {
-            scene_free(builder.scene);
-            builder.scene = NULL;
+    SceneFile file = {.name = name, .error = error, .folder = folder};
+    if (scene_read(text, size, &file)) {
+        file.scene = calloc(1, sizeof *file.scene);
+        if (!file.scene)
+            scene_out_of_memory(&file);
+        else if (!build_scene(&file)) {
+            scene_free(file.scene);
+            file.scene = NULL;
         }
     }
-    scene_file_free(&builder.file);
-    return builder.scene;
+    scene_file_free(&file);
+    return file.scene;
 }
 
 Scene *scene_load(const char *path, Error *error)

@@ -20,22 +20,22 @@ static const SceneType *type_at(size_t i)
     return kind ? &kind->scene : NULL;
 }
 
-const char *scene_material_name(const void *builder, size_t i)
+const char *scene_material_name(const void *file, size_t i)
 {
-    const SceneBuilder *of = builder;
+    const SceneFile *of = file;
     return i < of->file_materials ? of->scene->materials[i].name : NULL;
 }
 
-static bool build(SceneBuilder *builder, SceneEntry *entry)
+static bool build(SceneEntry *entry)
 {
-    Scene *scene = builder->scene;
+    Scene *scene = entry->file->scene;
     const char *name = scene_word(entry, "name");
     for (size_t i = 0; i < scene->material_count; i++)
         if (strcmp(scene->materials[i].name, name) == 0)
             return scene_fault(entry, "name", "a material '%s' stands above already; expected another name", name);
     // Counted before it is built, so that scene_free finds the table of one that failed half-way.
     Material *material = &scene->materials[scene->material_count++];
-    builder->file_materials = scene->material_count;
+    entry->file->file_materials = scene->material_count;
     snprintf(material->name, sizeof material->name, "%s", name);
     material->kind = kind_at(entry->type_number);
     material->type = material->kind->type;

@@ -41,12 +41,12 @@ static bool place_mesh(SceneEntry *entry, ObjMesh *mesh)
 
 // Corner normals are kept unless one of them looks to the other side than the face: such a mesh contradicts
 // itself there, and the face's own normal is the one that tells inside from outside.
-static bool add_corner_normals(SceneBuilder *builder, const ObjMesh *mesh, const ObjTriangle *triangle, Flat *flat)
+static bool add_corner_normals(SceneFile *file, const ObjMesh *mesh, const ObjTriangle *triangle, Flat *flat)
 {
-    Scene *scene = builder->scene;
+    Scene *scene = file->scene;
     Vec3 face = vec3_cross(flat->edge_u, flat->edge_v);
-    if (!array_reserve(&scene->normals, scene->normal_count + 3, &builder->normal_capacity, sizeof(Vec3)))
-        return scene_out_of_memory(&builder->file);
+    if (!array_reserve(&scene->normals, scene->normal_count + 3, &file->normal_capacity, sizeof(Vec3)))
+        return scene_out_of_memory(file);
     Vec3 *corners = &scene->normals[scene->normal_count];
     for (int i = 0; i < 3; i++) {
         corners[i] = mesh->normals[triangle->normal[i]]; // turned already
@@ -58,7 +58,7 @@ static bool add_corner_normals(SceneBuilder *builder, const ObjMesh *mesh, const
     return true;
 }
 
-static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMesh *mesh, uint32_t unnamed)
+static bool add_mesh(SceneEntry *entry, const ObjMesh *mesh, uint32_t unnamed)
 {
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         const ObjTriangle *triangle = &mesh->triangles[i];
@@ -77,42 +77,42 @@ static bool add_mesh(SceneBuilder *builder, const SceneEntry *entry, const ObjMe
             return scene_fault(entry, NULL,
                                "a triangle of this mesh vanishes by its scale or its distance from 0; "
                                "expected a larger scale or a smaller translate");
-        if (triangle->normal[0] != OBJ_NONE && !add_corner_normals(builder, mesh, triangle, &flat))
+        if (triangle->normal[0] != OBJ_NONE && !add_corner_normals(entry->file, mesh, triangle, &flat))
             return false;
-        if (!scene_add_flat(builder, flat))
+        if (!scene_add_flat(entry, flat))
             return false;
     }
     return true;
 }
 
-static bool note_file(SceneBuilder *builder, const char *path)
+static bool note_file(SceneFile *file, const char *path)
 {
-    Scene *scene = builder->scene;
+    Scene *scene = file->scene;
     size_t length = scene->mesh_files ? strlen(scene->mesh_files) : 0;
     char *files = realloc(scene->mesh_files, length + strlen(path) + 2);
     if (!files)
-        return scene_out_of_memory(&builder->file);
+        return scene_out_of_memory(file);
     sprintf(files + length, "%s\n", path);
     scene->mesh_files = files;
     return true;
 }
 
-bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
+bool scene_build_mesh(SceneEntry *entry, uint32_t material)
 {
-    if (!builder->folder)
+    if (!entry->file->folder)
         return scene_fault(entry, "file", "meshes are not read here");
     const char *file = scene_word(entry, "file");
     char path[PATH_MAX + 1024];
-    snprintf(path, sizeof path, "%s%s", file[0] == '/' ? "" : builder->folder, file);
+    snprintf(path, sizeof path, "%s%s", file[0] == '/' ? "" : entry->file->folder, file);
     Error unread = {""};
     size_t size = 0;
     char *text = text_read_file(path, LARGEST_OBJ_FILE, &size, &unread);
     if (!text)
         return scene_fault(entry, "file", "the mesh %s", unread.message);
     ObjMesh mesh;
-    ObjNames names = {scene_material_name, builder, builder->file.name};
-    bool fine = obj_read_text(text, size, path, &names, &mesh, builder->file.error) && place_mesh(entry, &mesh) &&
-                add_mesh(builder, entry, &mesh, material) && note_file(builder, path);
+    ObjNames names = {scene_material_name, entry->file, entry->file->name};
+    bool fine = obj_read_text(text, size, path, &names, &mesh, entry->file->error) && place_mesh(entry, &mesh) &&
+                add_mesh(entry, &mesh, material) && note_file(entry->file, path);
     obj_free(&mesh);
     free(text);
     return fine;

@@ -21,16 +21,21 @@ typedef struct {
     char *word;
 } SceneValue;
 
+// A file, and the scene that is made of it.
 typedef struct {
     const char *name; // for messages
     Error *error;
     SceneEntry *entries;
     SceneValue *values;
     size_t entry_count, entry_capacity, value_count, value_capacity;
+    const char *folder;    // where meshes are looked for, with a slash at its end; NULL: none are read
+    Scene *scene;          // a light's sphere counts from 0 in it until all flats are known
+    size_t file_materials; // that the file names; those of shining surfaces stand behind them
+    size_t flat_capacity, normal_capacity;
 } SceneFile;
 
 struct SceneEntry {
-    const SceneFile *file;
+    SceneFile *file;
     const struct SceneSection *section;
     const SceneType *type;
     size_t type_number; // in its section
@@ -49,29 +54,20 @@ bool scene_out_of_memory(const SceneFile *file); // "file: not enough memory", f
 // Was every given key asked for, and no other? If not, the program lacks a row, or the code that uses one.
 bool scene_check_use(const SceneEntry *entry);
 
-// A scene half made.
-typedef struct {
-    SceneFile file;
-    const char *folder;    // where meshes are looked for, with a slash at its end; NULL: none are read
-    Scene *scene;          // a light's sphere counts from 0 in it until all flats are known
-    size_t file_materials; // that the file names; those of shining surfaces stand behind them
-    size_t flat_capacity, normal_capacity;
-} SceneBuilder;
-
 #define NO_MATERIAL UINT32_MAX
 
 // The count of flats or spheres grows. False when memory is short.
-bool scene_add_flat(SceneBuilder *builder, Flat flat);
-bool scene_add_sphere(SceneBuilder *builder, Sphere sphere);
+bool scene_add_flat(SceneEntry *entry, Flat flat);
+bool scene_add_sphere(SceneEntry *entry, Sphere sphere);
 
 // May these be sides of a flat? If not, says why at `key`.
 bool scene_check_edges(const SceneEntry *entry, const char *key, Vec3 edge_u, Vec3 edge_v);
 
-// Name number i of the file's materials, NULL past the last: a TextNameAt of the builder.
-const char *scene_material_name(const void *builder, size_t i);
+// Name number i of the file's materials, NULL past the last: a TextNameAt.
+const char *scene_material_name(const void *file, size_t i);
 
 // A mesh's triangles; `material` for faces without usemtl, NO_MATERIAL when there is none.
-bool scene_build_mesh(SceneBuilder *builder, SceneEntry *entry, uint32_t material);
+bool scene_build_mesh(SceneEntry *entry, uint32_t material);
 
 // Turns by an angle in degrees about axis 0, 1 or 2, counter-clockwise for who looks against the axis.
 Vec3 scene_rotate(Vec3 p, int axis, float degrees);
@@ -84,7 +80,7 @@ typedef struct SceneSection {
     const SceneType *type;                 // the only one; NULL: the entry's `type:` says which
     const SceneType *(*type_at)(size_t i); // then: type number i, NULL past the last
     // Makes an entry a part of the scene, and refuses what only shows in combination.
-    bool (*build)(SceneBuilder *builder, SceneEntry *entry);
+    bool (*build)(SceneEntry *entry);
 } SceneSection;
 
 enum { SCENE_SECTIONS = 5 };

@@ -3,18 +3,19 @@
 #include "base/array.h"
 #include "base/text.h"
 
-bool scene_add_flat(SceneBuilder *builder, Flat flat)
+bool scene_add_flat(SceneEntry *entry, Flat flat)
 {
-    Scene *scene = builder->scene;
-    if (!array_reserve(&scene->flats, scene->flat_count + 1, &builder->flat_capacity, sizeof flat))
-        return scene_out_of_memory(&builder->file);
+    Scene *scene = entry->file->scene;
+    if (!array_reserve(&scene->flats, scene->flat_count + 1, &entry->file->flat_capacity, sizeof flat))
+        return scene_out_of_memory(entry->file);
     scene->flats[scene->flat_count++] = flat;
     return true;
 }
 
-bool scene_add_sphere(SceneBuilder *builder, Sphere sphere)
+bool scene_add_sphere(SceneEntry *entry, Sphere sphere)
 {
-    builder->scene->spheres[builder->scene->sphere_count++] = sphere;
+    Scene *scene = entry->file->scene;
+    scene->spheres[scene->sphere_count++] = sphere;
     return true;
 }
 
@@ -37,20 +38,20 @@ Vec3 scene_rotate(Vec3 p, int axis, float degrees)
     return vec3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
 }
 
-static bool build_sphere(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
+static bool build_sphere(SceneEntry *entry, uint32_t material)
 {
-    return scene_add_sphere(builder, (Sphere){scene_three(entry, "centre"), scene_number(entry, "radius"), material});
+    return scene_add_sphere(entry, (Sphere){scene_three(entry, "centre"), scene_number(entry, "radius"), material});
 }
 
-static bool build_rectangle(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
+static bool build_rectangle(SceneEntry *entry, uint32_t material)
 {
     Flat flat = {.origin = scene_three(entry, "corner"), .material = material};
     flat.edge_u = scene_three(entry, "edge_u");
     flat.edge_v = scene_three(entry, "edge_v");
-    return scene_check_edges(entry, "edge_v", flat.edge_u, flat.edge_v) && scene_add_flat(builder, flat);
+    return scene_check_edges(entry, "edge_v", flat.edge_u, flat.edge_v) && scene_add_flat(entry, flat);
 }
 
-static bool build_box(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
+static bool build_box(SceneEntry *entry, uint32_t material)
 {
     Vec3 low = scene_three(entry, "low"), high = scene_three(entry, "high");
     Vec3 size = vec3_sub(high, low), centre = vec3_scale(vec3_add(low, high), 0.5f);
@@ -68,14 +69,14 @@ static bool build_box(SceneBuilder *builder, SceneEntry *entry, uint32_t materia
         Vec3 j = edges[(i + 1) % 3], k = edges[(i + 2) % 3];
         Flat near_face = {corner, k, j, material, 0, 0, {0, 0, 0}};
         Flat far_face = {vec3_add(corner, edges[i]), j, k, material, 0, 0, {0, 0, 0}};
-        if (!scene_check_edges(entry, "high", j, k) || !scene_add_flat(builder, near_face) ||
-            !scene_add_flat(builder, far_face))
+        if (!scene_check_edges(entry, "high", j, k) || !scene_add_flat(entry, near_face) ||
+            !scene_add_flat(entry, far_face))
             return false;
     }
     return true;
 }
 
-static bool build_prism(SceneBuilder *builder, SceneEntry *entry, uint32_t material)
+static bool build_prism(SceneEntry *entry, uint32_t material)
 {
     Vec3 axis = scene_three(entry, "axis"), down = scene_three(entry, "down");
     if (flat_is_degenerate(axis, down))
@@ -102,7 +103,7 @@ static bool build_prism(SceneBuilder *builder, SceneEntry *entry, uint32_t mater
         if (flat_is_degenerate(faces[i].edge_u, faces[i].edge_v))
             return scene_fault(entry, "angle",
                                "this prism is too thin to have an inside; expected larger angle, side or length");
-        if (!scene_add_flat(builder, faces[i]))
+        if (!scene_add_flat(entry, faces[i]))
             return false;
     }
     return true;
@@ -152,7 +153,7 @@ static const SceneKeys mesh_keys = {
 
 typedef struct {
     SceneType type;
-    bool (*build)(SceneBuilder *builder, SceneEntry *entry, uint32_t material);
+    bool (*build)(SceneEntry *entry, uint32_t material);
 } ShapeKind;
 
 static const ShapeKind kinds[] = {
@@ -179,14 +180,14 @@ static const SceneType *type_at(size_t i)
     return i < sizeof kinds / sizeof kinds[0] ? &kinds[i].type : NULL;
 }
 
-static bool build(SceneBuilder *builder, SceneEntry *entry)
+static bool build(SceneEntry *entry)
 {
     const char *name = scene_word(entry, "material");
     size_t material = NO_MATERIAL;
-    if (name && !text_find_name(name, scene_material_name, builder, &material))
+    if (name && !text_find_name(name, scene_material_name, entry->file, &material))
         return scene_fault(entry, "material", "there is no material '%s'; %s", name,
-                           text_suggest(name, scene_material_name, builder).text);
-    return kinds[entry->type_number].build(builder, entry, (uint32_t)material);
+                           text_suggest(name, scene_material_name, entry->file).text);
+    return kinds[entry->type_number].build(entry, (uint32_t)material);
 }
 
 static const SceneKeys keys = {{"type", KEY_TYPE, KEY_REQUIRED, RANGE_ANY, "one of the types below"}};
