@@ -38,11 +38,9 @@ typedef SceneKey SceneKeys[12]; // a table, of 11 rows at most; behind the last 
 #define KEY_REQUIRED NULL
 #define KEY_OPTIONAL ""
 
-// clang-format off
-#define RANGE(low, high, unit)               {low, high, false, unit, NULL}
+#define RANGE(low, high, unit)                {low, high, false, unit, NULL}
 #define RANGE_TOLD(low, high, unit, expected) {low, high, false, unit, expected}
-#define RANGE_ANGLE                          {0, 180, true, "degrees", "an angle between 0 and 180 degrees"}
-// clang-format on
+#define RANGE_ANGLE                           {0, 180, true, "degrees", "an angle between 0 and 180 degrees"}
 
 // Others that several keys have; their numbers stand in scene/limits.h.
 #define RANGE_METRES  RANGE(-SCENE_LARGEST_NUMBER, SCENE_LARGEST_NUMBER, "m")

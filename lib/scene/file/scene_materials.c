@@ -22,8 +22,9 @@ static const SceneType *type_at(size_t i)
 
 const char *scene_material_name(const void *file, size_t i)
 {
-    const SceneFile *of = file;
-    return i < of->file_materials ? of->scene->materials[i].name : NULL;
+    const Scene *scene = ((const SceneFile *)file)->scene;
+    // Those of shining surfaces, which have no kind, stand behind the others.
+    return i < scene->material_count && scene->materials[i].kind ? scene->materials[i].name : NULL;
 }
 
 static bool build(SceneEntry *entry)
@@ -35,7 +36,6 @@ static bool build(SceneEntry *entry)
             return scene_fault(entry, "name", "a material '%s' stands above already; expected another name", name);
     // Counted before it is built, so that scene_free finds the table of one that failed half-way.
     Material *material = &scene->materials[scene->material_count++];
-    entry->file->file_materials = scene->material_count;
     snprintf(material->name, sizeof material->name, "%s", name);
     material->kind = kind_at(entry->type_number);
     material->type = material->kind->type;

@@ -28,9 +28,8 @@ typedef struct {
     SceneEntry *entries;
     SceneValue *values;
     size_t entry_count, entry_capacity, value_count, value_capacity;
-    const char *folder;    // where meshes are looked for, with a slash at its end; NULL: none are read
-    Scene *scene;          // a light's sphere counts from 0 in it until all flats are known
-    size_t file_materials; // that the file names; those of shining surfaces stand behind them
+    const char *folder; // where meshes are looked for, with a slash at its end; NULL: none are read
+    Scene *scene;       // a light's sphere counts from 0 in it until all flats are known
     size_t flat_capacity, normal_capacity;
 } SceneFile;
 

@@ -109,9 +109,7 @@ static bool build_prism(SceneEntry *entry, uint32_t material)
     return true;
 }
 
-// clang-format off
 #define MATERIAL_ROW {"material", KEY_WORD, KEY_REQUIRED, RANGE_NAME, "the name of its material"}
-// clang-format on
 
 static const SceneKeys sphere_keys = {
     {"centre", KEY_THREE, KEY_REQUIRED, RANGE_METRES, "the centre"},
