@@ -12,7 +12,6 @@ static bool sample_rectangle(const Light *light, Vec3 point, float u, float v, L
     sample->distance = sqrtf(distance2);
     sample->wi = vec3_scale(to_light, 1.0f / sample->distance);
     sample->geometry = cos_times_distance / sample->distance * light->area / distance2;
-    sample->arriving = colour_scale(light->radiance, sample->geometry);
     return true;
 }
 
@@ -35,7 +34,6 @@ static bool sample_sphere_light(const Light *light, Vec3 point, float u, float v
     sample->wi = frame_to_world(&frame, vec3(r * cosf(phi), r * sinf(phi), z));
     sample->distance = sqrtf(distance2) * z - sqrtf(fmaxf(0.0f, radius2 - distance2 * sin2));
     sample->geometry = 2.0f * PI * one_minus_cos;
-    sample->arriving = colour_scale(light->radiance, sample->geometry);
     return true;
 }
 
@@ -54,7 +52,6 @@ static bool sample_point(const Light *light, Vec3 point, LightSample *sample)
         solid_angle = 2.0f * PI * (1.0f - light->cos_cone);
     }
     sample->geometry = 1.0f / (solid_angle * distance2);
-    sample->arriving = colour_scale(light->power, sample->geometry);
     return true;
 }
 
@@ -69,24 +66,19 @@ static bool sample_beam(const Light *light, Vec3 point, LightSample *sample)
     sample->distance = along;
     sample->wi = vec3_negate(light->direction);
     sample->geometry = 1.0f / (PI * radius2);
-    sample->arriving = colour_scale(light->power, sample->geometry);
     return true;
 }
 
 bool light_sample(const Light *light, Vec3 point, float u, float v, LightSample *sample)
 {
-    switch (light->type) {
-    case LIGHT_RECTANGLE:
-        return sample_rectangle(light, point, u, v, sample);
-    case LIGHT_SPHERE:
-        return sample_sphere_light(light, point, u, v, sample);
-    case LIGHT_POINT:
-    case LIGHT_SPOT:
-        return sample_point(light, point, sample);
-    case LIGHT_BEAM:
-        return sample_beam(light, point, sample);
-    }
-    return false;
+    bool has_surface = light->type == LIGHT_RECTANGLE || light->type == LIGHT_SPHERE;
+    bool arrives = light->type == LIGHT_RECTANGLE ? sample_rectangle(light, point, u, v, sample)
+                   : light->type == LIGHT_SPHERE  ? sample_sphere_light(light, point, u, v, sample)
+                   : light->type == LIGHT_BEAM    ? sample_beam(light, point, sample)
+                                                  : sample_point(light, point, sample);
+    if (arrives)
+        sample->arriving = colour_scale(has_surface ? light->radiance : light->power, sample->geometry);
+    return arrives;
 }
 
 float light_power_at(const Light *light, float wavelength)

@@ -11,7 +11,9 @@
 
 static bool build_scene(SceneFile *file)
 {
-    Scene *scene = file->scene;
+    Scene *scene = file->scene = calloc(1, sizeof *scene);
+    if (!scene)
+        return scene_out_of_memory(file);
     scene->materials = calloc(MAX_MATERIALS, sizeof *scene->materials);
     scene->lights = calloc(MAX_LIGHTS, sizeof *scene->lights);
     scene->spheres = calloc(file->entry_count, sizeof *scene->spheres); // an entry makes one at most
@@ -36,17 +38,12 @@ static bool build_scene(SceneFile *file)
 Scene *scene_load_text(const char *text, size_t size, const char *name, const char *folder, Error *error)
 {
     SceneFile file = {.name = name, .error = error, .folder = folder};
-    if (scene_read(text, size, &file)) {
-        file.scene = calloc(1, sizeof *file.scene);
-        if (!file.scene)
-            scene_out_of_memory(&file);
-        else if (!build_scene(&file)) {
-            scene_free(file.scene);
-            file.scene = NULL;
-        }
-    }
+    bool fine = scene_read(text, size, &file) && build_scene(&file);
     scene_file_free(&file);
-    return file.scene;
+    if (fine)
+        return file.scene;
+    scene_free(file.scene);
+    return NULL;
 }
 
 Scene *scene_load(const char *path, Error *error)

@@ -51,26 +51,19 @@ void lobe_table_fill(LobeTable *table, float exponent)
     }
 }
 
-// The lobe's BRDF for ρ_s = 1.
-static float lobe_brdf(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n)
+static Colour lobe(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n)
 {
     float cos_i = vec3_dot(n, wi);
     Vec3 mirror = vec3_sub(vec3_scale(n, 2.0f * cos_i), wi);
-    float cos_alpha = vec3_dot(mirror, wo);
+    float cos_alpha = vec3_dot(mirror, wo), power = cos_alpha > 0.0f ? powf(cos_alpha, material->exponent) : 0.0f;
     if (model == GLOSSY_PHONG)
-        return cos_alpha > 0.0f ? (material->exponent + 2.0f) / (2.0f * PI) * powf(cos_alpha, material->exponent)
-                                : 0.0f;
+        return colour_scale(material->specular, (material->exponent + 2.0f) / (2.0f * PI) * power);
     // The source text: where the diffuse draw fell on the mirror's side (probability (1+cosθ)/2) it became a lobe
     // sample; elsewhere the draw stayed, with the density cosθ_o/π of Lambert.
     if (cos_alpha <= 0.0f)
-        return 1.0f / PI;
-    float p = 0.5f * (1.0f + cos_i) * powf(cos_alpha, material->exponent) / lobe_lookup(material->lobe->above, cos_i);
-    return p / vec3_dot(n, wo);
-}
-
-static Colour lobe(const Material *material, GlossyModel model, Vec3 wi, Vec3 wo, Vec3 n)
-{
-    return colour_scale(material->specular, lobe_brdf(material, model, wi, wo, n));
+        return colour_scale(material->specular, 1.0f / PI);
+    float p = 0.5f * (1.0f + cos_i) * power / lobe_lookup(material->lobe->above, cos_i);
+    return colour_scale(material->specular, p / vec3_dot(n, wo));
 }
 
 // Less than ρ_d + ρ_s by what the lobe loses below the surface.
