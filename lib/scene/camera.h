@@ -10,20 +10,6 @@ typedef struct {
     float tan_half_fov;      // tangent of half the vertical field of view
 } Camera;
 
-// up need not be at right angles to the view, only not along it. Field of view in degrees, 0…180 exclusive.
-static inline Camera camera_create(Vec3 position, Vec3 target, Vec3 up, float vertical_fov_degrees)
-{
-    Vec3 forward = vec3_normalize(vec3_sub(target, position));
-    Vec3 right = vec3_normalize(vec3_cross(forward, up));
-    return (Camera){
-        .position = position,
-        .forward = forward,
-        .right = right,
-        .up = vec3_cross(right, forward),
-        .tan_half_fov = tanf(0.5f * vertical_fov_degrees * (PI / 180.0f)),
-    };
-}
-
 // The ray through a point of the film: x from 0 (left) to 1 (right), y from 0 (top) to 1 (bottom).
 static inline Ray camera_ray(const Camera *camera, float x, float y, float aspect)
 {

@@ -88,13 +88,6 @@ static void write_light(const Export *e, const Light *light)
         e->format->light(e, light, colour_scale(light->power, 1.0f / (4.0f * PI * share)));
 }
 
-static unsigned char *put_vec3(unsigned char *at, Vec3 v)
-{
-    for (int axis = 0; axis < 3; axis++)
-        at = file_put_float(at, vec3_component(v, axis));
-    return at;
-}
-
 // Corners are not shared: flats keep their edges.
 static void write_flat(const Scene *scene, const Flat *flat, bool with_normals, FILE *stream)
 {
@@ -103,31 +96,16 @@ static void write_flat(const Scene *scene, const Flat *flat, bool with_normals, 
     Vec3 u = vec3_add(flat->origin, flat->edge_u), v = vec3_add(flat->origin, flat->edge_v);
     Vec3 corners[6] = {flat->origin, u, v, u, vec3_add(u, flat->edge_v), v};
     for (int i = 0; i < (flat->is_triangle ? 3 : 6); i++) {
-        unsigned char bytes[24], *at = put_vec3(bytes, corners[i]);
-        if (with_normals)
-            at = put_vec3(at, normals[i % 3]);
+        unsigned char bytes[24], *at = bytes;
+        Vec3 vertex[2] = {corners[i], normals[i % 3]};
+        for (int k = 0; k < (with_normals ? 6 : 3); k++)
+            at = file_put_float(at, vec3_component(vertex[k / 3], k % 3));
         fwrite(bytes, 1, (size_t)(at - bytes), stream);
     }
 }
 
-typedef struct {
-    size_t triangles;
-    bool normals; // interpolated ones, which count on mirrors and glass
-} MeshContent;
-
-static MeshContent mesh_content(const Scene *scene, size_t material)
-{
-    MeshContent content = {0, false};
-    bool smooth = !material_is_rough(&scene->materials[material]);
-    for (size_t i = 0; i < scene->flat_count; i++)
-        if (scene->flats[i].material == material) {
-            content.triangles += scene->flats[i].is_triangle ? 1 : 2;
-            content.normals |= smooth && scene->flats[i].normals;
-        }
-    return content;
-}
-
-static bool write_ply(const Scene *scene, size_t material, MeshContent content, const char *path, Error *error)
+static bool write_ply(const Scene *scene, size_t material, size_t triangles, bool with_normals, const char *path,
+                      Error *error)
 {
     FileWriter writer;
     if (!file_write_begin(&writer, path, error))
@@ -136,12 +114,11 @@ static bool write_ply(const Scene *scene, size_t material, MeshContent content, 
         writer.stream,
         "ply\nformat binary_little_endian 1.0\nelement vertex %zu\nproperty float x\nproperty float y\nproperty float z\n%s"
         "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
-        3 * content.triangles, content.normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "",
-        content.triangles);
+        3 * triangles, with_normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "", triangles);
     for (size_t i = 0; i < scene->flat_count; i++)
         if (scene->flats[i].material == material)
-            write_flat(scene, &scene->flats[i], content.normals, writer.stream);
-    for (size_t i = 0; i < 3 * content.triangles; i++) {
+            write_flat(scene, &scene->flats[i], with_normals, writer.stream);
+    for (size_t i = 0; i < 3 * triangles; i++) {
         unsigned char bytes[5] = {3}, *at = bytes + (i % 3 == 0);
         at = file_put_int(at, (uint32_t)i);
         fwrite(bytes, 1, (size_t)(at - bytes), writer.stream);
@@ -179,16 +156,22 @@ static bool write_material(const Export *e, size_t number, const char *path)
     make_plain(name);
     if (!lamp && !declare(e, material, name))
         return false;
-    MeshContent content = mesh_content(scene, number);
-    if (content.triangles > 0) {
+    size_t triangles = 0;
+    bool has_normals = false; // interpolated ones, which count on mirrors and glass
+    for (size_t i = 0; i < scene->flat_count; i++)
+        if (scene->flats[i].material == number) {
+            triangles += scene->flats[i].is_triangle ? 1 : 2;
+            has_normals |= scene->flats[i].normals && !material_is_rough(material);
+        }
+    if (triangles > 0) {
         int stem = (int)(strlen(path) - strlen(file_ending(path)));
         const char *slash = strrchr(path, '/');
         size_t folder = slash ? (size_t)(slash + 1 - path) : 0;
         snprintf(file, sizeof file, "%.*s_%s.ply", stem, path, name);
         make_plain(file + folder);
-        if (!write_ply(scene, number, content, file, e->error))
+        if (!write_ply(scene, number, triangles, has_normals, file, e->error))
             return false;
-        e->format->mesh(e, file + folder, content.normals, name, lamp);
+        e->format->mesh(e, file + folder, has_normals, name, lamp);
     }
     for (size_t i = 0; i < scene->sphere_count; i++)
         if (scene->spheres[i].material == number)

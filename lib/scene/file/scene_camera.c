@@ -28,7 +28,14 @@ static bool build_camera(SceneEntry *entry)
     if (flat_is_degenerate(view, up))
         return scene_fault(entry, "up", "up (%g, %g, %g) is zero or along the view; expected another direction", up.x,
                            up.y, up.z);
-    entry->file->scene->camera = camera_create(position, target, up, scene_number(entry, "vertical_fov"));
+    Vec3 forward = vec3_normalize(view), right = vec3_normalize(vec3_cross(forward, up));
+    entry->file->scene->camera = (Camera){
+        .position = position,
+        .forward = forward,
+        .right = right,
+        .up = vec3_cross(right, forward),
+        .tan_half_fov = tanf(0.5f * scene_number(entry, "vertical_fov") * (PI / 180.0f)),
+    };
     return true;
 }
 
