@@ -64,8 +64,7 @@ static bool build_box(SceneEntry *entry, uint32_t material)
                      scene_rotate(vec3(0, 0, size.z), 1, angle)};
     Vec3 corner = vec3_add(centre, scene_rotate(vec3_sub(low, centre), 1, angle));
     for (int i = 0; i < 3; i++) {
-        // The edges are right-handed: edge j × edge k points along edge i, out of the far face and into the
-        // near one.
+        // The edges are right-handed: edge j × edge k points along edge i, out of the far face and into the near one.
         Vec3 j = edges[(i + 1) % 3], k = edges[(i + 2) % 3];
         Flat near_face = {corner, k, j, material, 0, 0, {0, 0, 0}};
         Flat far_face = {vec3_add(corner, edges[i]), j, k, material, 0, 0, {0, 0, 0}};
