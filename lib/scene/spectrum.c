@@ -64,11 +64,6 @@ Colour spectral_colour(float w)
                   (0.0557f * x - 0.2040f * y + 1.0570f * z) / EQUAL_ENERGY_BLUE);
 }
 
-static float grid_wavelength(int i)
-{
-    return WAVELENGTH_FIRST + (float)i * (WAVELENGTH_RANGE / (SPECTRUM_SIZE - 1));
-}
-
 // What entry i counts in a mean over the range.
 static float grid_share(int i)
 {
@@ -92,7 +87,7 @@ Colour spectrum_colour(const Spectrum *spectrum, Colour power, Colour filter)
                             reflectance_at(power, spectrum->line) * reflectance_at(filter, spectrum->line));
     Colour sum = colour_grey(0.0f);
     for (int i = 0; i < SPECTRUM_SIZE; i++) {
-        float wavelength = grid_wavelength(i);
+        float wavelength = WAVELENGTH_FIRST + (float)i;
         float energy = spectrum_at(spectrum, wavelength) * reflectance_at(power, wavelength);
         float passed = energy * reflectance_at(filter, wavelength) * grid_share(i);
         sum = colour_add(sum, colour_scale(spectral_colour(wavelength), passed));
@@ -117,7 +112,7 @@ static bool parse_pairs(const char *text, Spectrum *spectrum, const char **why)
         if (!(nm > before_nm && nm < 1e5 && energy >= 0.0 && energy < 1e9))
             return false;
         for (int i = 0; i < SPECTRUM_SIZE; i++) {
-            double at = (double)grid_wavelength(i);
+            double at = (double)WAVELENGTH_FIRST + i;
             if (pairs > 0 && at >= before_nm && at <= nm)
                 spectrum->value[i] = (float)(before + (energy - before) * (at - before_nm) / (nm - before_nm));
         }
@@ -156,6 +151,6 @@ bool spectrum_parse(const char *text, Spectrum *spectrum, const char **why)
     if (strcmp(text, "daylight") != 0)
         return parse_pairs(text, spectrum, why) && normalise(spectrum, why);
     for (int i = 0; i < SPECTRUM_SIZE; i++)
-        spectrum->value[i] = table_at(daylight, grid_wavelength(i));
+        spectrum->value[i] = table_at(daylight, WAVELENGTH_FIRST + (float)i);
     return normalise(spectrum, why);
 }
