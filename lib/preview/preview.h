@@ -13,7 +13,7 @@ typedef struct {
     const char *build;    // shell command that makes an object of one file; see watch.h
     int stage;            // whose steps come first; 0: any
     int stages;           // of the course, from the first; 0: all
-    const char *judge;    // shell command that judges a step; see judging.h. NULL: nobody does
+    const char *judge;    // shell command that judges a step; see coach.h. NULL: nobody does
     const char *report;   // what the key `o` opens; NULL: nothing
     const char *snapshot; // the picture to write
     bool every_save;      // the same again after each, until the program is ended

@@ -25,8 +25,7 @@ bool session_start(Session *session, const Scene *scene, const PreviewOptions *o
     if (options->source && options->build &&
         !(session->watch = watch_start(options->source, options->code, options->build, error)))
         return false;
-    if (!coach_start(&session->coach, session->watch ? options->judge : NULL, options->stage, options->stages))
-        return error_set(error, "not enough memory for the preview");
+    coach_start(&session->coach, session->watch ? options->judge : NULL, options->stage, options->stages);
     if (!options->given[YOURS])
         session_ask_photons(session);
     return true;

@@ -14,7 +14,7 @@ typedef struct {
     const char *source, *objects; // folders: the student's .c files, and what they become
     const char *build;            // shell command, see watch.h
     const char *link;             // … sh -c LINK sh MODULE.wasm OBJECT…
-    const char *judge;            // … see judging.h; NULL: nobody judges
+    const char *judge;            // … see coach.h; NULL: nobody judges
     const char *page;             // folder of tab.html, tab.js and photonlab.wasm
     const char *scene;            // to begin with: a name in the page
     const char *steps;            // which play where several do the same work; NULL: what the student has

@@ -146,8 +146,8 @@ bool tab_start(Tab *tab, const TabOptions *options, Error *error)
     if (options->steps && !step_choice_parse(options->steps, &play, error))
         return false;
     tab->watch = watch_start(options->source, options->objects, options->build, error);
-    return tab->watch && (coach_start(&tab->coach, options->judge, options->stage, options->stages) ||
-                          error_set(error, "not enough memory for the judge's verdicts"));
+    coach_start(&tab->coach, options->judge, options->stage, options->stages);
+    return tab->watch;
 }
 
 void tab_stop(Tab *tab)

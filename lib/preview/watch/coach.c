@@ -4,15 +4,63 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool coach_start(Coach *coach, const char *command, int stage, int stages)
+#define LONGEST 300.0 // s; the judge has limits of its own
+
+void coach_start(Coach *coach, const char *judging, int stage, int stages)
 {
-    *coach = (Coach){.stage = stage, .verdicts = {.count = step_count_of(stages)}};
-    return !command || (coach->judging = judging_start(command));
+    *coach = (Coach){.judging = judging, .stage = stage, .verdicts = {.count = step_count_of(stages)}};
+    coach->last = coach->first = STEP_COUNT * 1000000;
+    coach->judge.process.output = -1;
 }
 
 void coach_stop(Coach *coach)
 {
-    judging_stop(coach->judging);
+    if (coach->judging)
+        process_end(&coach->judge.process);
+}
+
+// Its verdict is wanted: soon, or after those that are wanted already. What it says of it at present is old.
+static void want(Coach *coach, size_t step, bool soon)
+{
+    Verdict *verdict = &coach->verdicts.steps[step];
+    coach->wanted[step] = soon ? --coach->first : ++coach->last;
+    verdict->old = verdict->state != VERDICT_NONE;
+    verdict->judged_now = true;
+    if (!soon || coach->judge.process.pid <= 0)
+        return;
+    if (coach->judged != step) // that one waits
+        want(coach, coach->judged, false);
+    process_end(&coach->judge.process);
+}
+
+// The judge's line, or, where there is none, its last words.
+static void take_verdict(Coach *coach)
+{
+    const char *line = coach->judge.text, *last = "the judge said nothing";
+    Verdict *verdict = &coach->verdicts.steps[coach->judged];
+    for (; *line; line += strcspn(line, "\n") + 1) {
+        if (verdicts_take_line(&coach->verdicts, line) == &step_table[coach->judged])
+            return;
+        last = line;
+        if (!strchr(line, '\n'))
+            break;
+    }
+    *verdict = (Verdict){.state = VERDICT_SKIP};
+    snprintf(verdict->message, sizeof verdict->message, "not judged: %.*s", (int)strcspn(last, "\n"), last);
+}
+
+static void judge_next(Coach *coach)
+{
+    size_t next = STEP_COUNT;
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (coach->wanted[i] > 0 && (next == STEP_COUNT || coach->wanted[i] < coach->wanted[next]))
+            next = i;
+    if (next == STEP_COUNT)
+        return;
+    coach->wanted[next] = 0;
+    coach->judged = next;
+    if (!job_start(&coach->judge, coach->judging, step_table[next].id, NULL))
+        take_verdict(coach);
 }
 
 // Of the stage that was asked for, the first step that is not started; otherwise of all, or the first.
@@ -39,7 +87,7 @@ void coach_note_states(Coach *coach, const StepState states[STEP_COUNT])
         if (states[i] != STEP_STUDENT && verdict->state != VERDICT_ERROR)
             *verdict = (Verdict){.state = VERDICT_TODO};
         else if (verdict->state == VERDICT_NONE && !verdict->judged_now)
-            judging_want(coach->judging, verdicts, i, false);
+            want(coach, i, false);
     }
     if (!coach->stated)
         verdicts->present = first_open(coach, states);
@@ -63,7 +111,7 @@ void coach_judge(Coach *coach, const StepInfo *step)
     if (!coach->judging || !coach->stated || !is_of_course(coach, step)) // all that are started will be
         return;
     choose_step(coach, (size_t)(step - step_table));
-    judging_want(coach->judging, &coach->verdicts, (size_t)(step - step_table), true);
+    want(coach, (size_t)(step - step_table), true);
 }
 
 void coach_note_broken(Coach *coach, const StepInfo *step, const char *message)
@@ -79,10 +127,18 @@ void coach_note_broken(Coach *coach, const StepInfo *step, const char *message)
 
 bool coach_poll(Coach *coach)
 {
-    const StepInfo *step = coach->judging ? judging_poll(coach->judging, &coach->verdicts) : NULL;
-    if (!step)
+    int status;
+    if (!coach->judging)
         return false;
-    const Verdict *verdict = &coach->verdicts.steps[step - step_table];
+    if (coach->judge.process.pid <= 0) {
+        judge_next(coach);
+        return false;
+    }
+    if (!job_poll(&coach->judge, LONGEST, &status))
+        return false;
+    take_verdict(coach);
+    const StepInfo *step = &step_table[coach->judged];
+    const Verdict *verdict = &coach->verdicts.steps[coach->judged];
     printf("judged: %s %s %s\n", step->id, verdict_marks[verdict->state],
            verdict->message[0] ? verdict->message : step->title);
     return true;

@@ -3,7 +3,6 @@
 #include "base/parallel.h"
 #include "math/rng.h"
 
-#include <errno.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,12 +26,6 @@ void watch_path(char path[4096], const char *folder, size_t i, const char *endin
     snprintf(path, 4096, "%s/%s%s", folder, step_table[i].file, ending);
 }
 
-// "1.3_scatter_diffuse"
-static const char *name_of(size_t i)
-{
-    return strrchr(step_table[i].file, '/') + 1;
-}
-
 uint64_t watch_fingerprint(uint64_t sum, const char *path)
 {
     struct stat info;
@@ -43,8 +36,7 @@ uint64_t watch_fingerprint(uint64_t sum, const char *path)
     return hash_u64(sum ^ (uint64_t)info.st_size ^ (uint64_t)info.st_ino << 20);
 }
 
-// True: it is not as it was.
-static bool look_at(Watch *watch, size_t i)
+bool watch_look_at(Watch *watch, size_t i)
 {
     char path[4096];
     Source *file = &watch->files[i], before = *file;
@@ -56,7 +48,7 @@ static bool look_at(Watch *watch, size_t i)
 
 void watch_mark(Watch *watch, size_t i)
 {
-    look_at(watch, i);
+    watch_look_at(watch, i);
     watch->files[i].dirty = true;
     watch->files[i].since = clock_seconds();
 }
@@ -83,7 +75,7 @@ static void look_at_times(Watch *watch)
         return;
     watch->looked = now;
     for (size_t i = 0; i < STEP_COUNT; i++)
-        if (look_at(watch, i))
+        if (watch_look_at(watch, i))
             watch_mark(watch, i);
 }
 
@@ -95,20 +87,18 @@ Watch *watch_start(const char *source, const char *objects, const char *command,
         return NULL;
     }
     Watch *watch = calloc(1, sizeof *watch);
-    char *copy = malloc(strlen(command) + 1);
-    if (!watch || !copy || strlen(source) >= sizeof watch->source || strlen(objects) >= sizeof watch->objects) {
+    if (!watch || strlen(source) >= sizeof watch->source || strlen(objects) >= sizeof watch->objects) {
         error_set(error, "%s: cannot be watched: no memory, or too long a name", source);
-        free(copy);
         free(watch);
         return NULL;
     }
-    watch->command = strcpy(copy, command);
+    watch->command = command;
     strcpy(watch->source, source);
     strcpy(watch->objects, objects);
-    watch->inotify = watch->build.compiler.output = -1;
+    watch->inotify = watch->compiler.process.output = -1;
     watch_start_listening(watch);
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        look_at(watch, i);
+        watch_look_at(watch, i);
         if (is_behind(watch, i))
             watch_mark(watch, i);
     }
@@ -119,37 +109,10 @@ void watch_stop(Watch *watch)
 {
     if (!watch)
         return;
-    process_kill(&watch->build.compiler);
+    process_kill(&watch->compiler.process);
     if (watch->inotify >= 0)
         close(watch->inotify);
-    free(watch->command);
     free(watch);
-}
-
-static WatchEvent remove_object(Watch *watch, size_t i, const char *object)
-{
-    if (unlink(object) != 0 && errno == ENOENT)
-        return WATCH_NOTHING;
-    snprintf(watch->message, sizeof watch->message, "%s.c: deleted; the reference plays in its place", name_of(i));
-    return WATCH_BUILT;
-}
-
-static WatchEvent begin_build(Watch *watch, size_t i)
-{
-    char source[4096], object[4096];
-    Error error = {""};
-    watch_path(source, watch->source, i, ".c");
-    watch_path(object, watch->objects, i, ".so");
-    watch->files[i].dirty = false;
-    watch->files[i].error[0] = '\0';
-    look_at(watch, i); // what is built, even if it was seen half-written before
-    if (access(source, F_OK) != 0)
-        return remove_object(watch, i, object);
-    watch->building = i;
-    if (build_start(&watch->build, watch->command, source, object, &error))
-        return WATCH_BUILDING;
-    snprintf(watch->message, sizeof watch->message, "%s.c: %.900s", name_of(i), error.message);
-    return WATCH_FAILED;
 }
 
 // Seconds until this file may be built; a deleted one may come back at once under the same name.
@@ -166,36 +129,17 @@ static WatchEvent begin_next(Watch *watch)
         if (watch->files[i].dirty && time_left(&watch->files[i]) <= 0.0 &&
             (next == STEP_COUNT || watch->files[i].since < watch->files[next].since))
             next = i;
-    return next < STEP_COUNT ? begin_build(watch, next) : WATCH_NOTHING;
-}
-
-static WatchEvent end_build(Watch *watch, bool ok)
-{
-    char name[256];
-    Source *file = &watch->files[watch->building];
-    snprintf(name, sizeof name, "%s.c", name_of(watch->building));
-    watch->warning[0] = '\0';
-    file->headers = watch_headers(watch, watch->building); // it may read others now
-    if (ok) {
-        snprintf(watch->message, sizeof watch->message, "%s: built in %.2f s", name,
-                 clock_seconds() - watch->build.started);
-        build_warning_line(&watch->build, name, watch->warning, sizeof watch->warning);
-    } else {
-        build_error_line(&watch->build, name, watch->message, sizeof watch->message);
-        snprintf(file->error, sizeof file->error, "%.299s", watch->message);
-    }
-    return ok ? WATCH_BUILT : WATCH_FAILED;
+    return next < STEP_COUNT ? watch_begin_build(watch, next) : WATCH_NOTHING;
 }
 
 WatchEvent watch_poll(Watch *watch)
 {
-    bool ok;
     watch_take_changes(watch);
     look_at_times(watch);
-    if (watch->build.compiler.pid > 0 && watch->files[watch->building].dirty)
-        process_kill(&watch->build.compiler); // what it would make is out of date
-    if (watch->build.compiler.pid > 0)
-        return build_poll(&watch->build, &ok) ? end_build(watch, ok) : WATCH_NOTHING;
+    if (watch->compiler.process.pid > 0 && watch->files[watch->building].dirty)
+        process_kill(&watch->compiler.process); // what it would make is out of date
+    if (watch->compiler.process.pid > 0)
+        return watch_end_build(watch);
     if (!watch->stray[0])
         return begin_next(watch);
     snprintf(watch->message, sizeof watch->message,
@@ -208,13 +152,13 @@ void watch_wait(Watch *watch, double seconds)
 {
     double left = watch->looked + (watch->inotify >= 0 ? LOOK_BESIDE : LOOK_ALONE) - clock_seconds();
     seconds = left < seconds ? left : seconds;
-    for (size_t i = 0; i < STEP_COUNT && watch->build.compiler.pid <= 0; i++)
+    for (size_t i = 0; i < STEP_COUNT && watch->compiler.process.pid <= 0; i++)
         if (watch->files[i].dirty && time_left(&watch->files[i]) < seconds)
             seconds = time_left(&watch->files[i]);
-    if (watch->build.compiler.pid > 0 && watch->build.compiler.output < 0)
+    if (watch->compiler.process.pid > 0 && watch->compiler.process.output < 0)
         seconds = seconds < 0.005 ? seconds : 0.005; // it has nothing more to say, and is about to end
     struct pollfd watched[2] = {{watch->inotify, POLLIN, 0},
-                                {watch->build.compiler.pid > 0 ? watch->build.compiler.output : -1, POLLIN, 0}};
+                                {watch->compiler.process.pid > 0 ? watch->compiler.process.output : -1, POLLIN, 0}};
     poll(watched, 2, seconds > 0.0 ? (int)(1e3 * seconds + 0.999) : 0);
 }
 

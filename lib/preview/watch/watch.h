@@ -22,6 +22,7 @@ typedef enum {
 // where OBJECT.so is below `objects`; the command must write beside and rename. A step that was deleted loses its object.
 // Directories are watched, not files (editors rename). Times are looked at as well, once a second, for changes that
 // another machine makes; ten times a second where inotify is missing or PHOTONLAB_WATCH=times is set.
+// `command` has to stay.
 Watch *watch_start(const char *source, const char *objects, const char *command, Error *error);
 void watch_stop(Watch *watch);
 

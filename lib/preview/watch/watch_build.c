@@ -1,13 +1,61 @@
-#include "preview/watch/watch_build.h"
+// Building what was saved, and the line of what the compiler says that tells most.
+#include "preview/watch/watch_internal.h"
+#include "base/file.h"
 #include "base/parallel.h"
+#include "math/rng.h"
 
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
+#include <unistd.h>
 
-#define LONGEST 60.0 // s; what the compiler is given
+#define LONGEST    60.0       // s; what the compiler is given
+#define MOST_BYTES (1u << 20) // of what it writes about one object
+
+// "1.3_scatter_diffuse"
+static const char *name_of(size_t i)
+{
+    return strrchr(step_table[i].file, '/') + 1;
+}
+
+// The next path of a make rule: parted by blanks, with a backslash before a blank that belongs to it. NULL: no more.
+static char *next_path(char **text)
+{
+    char *from = *text;
+    while (*from == ' ' || *from == '\n' || (*from == '\\' && from[1] == '\n'))
+        from++;
+    char *path = from, *to = from;
+    while (*from && *from != ' ' && *from != '\n') {
+        from += *from == '\\' && from[1] == ' ';
+        *to++ = *from++;
+    }
+    *text = from + (*from != '\0');
+    *to = '\0';
+    return path < to ? path : NULL;
+}
+
+static bool is_own_header(const Watch *watch, const char *path)
+{
+    size_t folder = strlen(watch->source), length = strlen(path);
+    return length > folder + 2 && strncmp(path, watch->source, folder) == 0 && path[folder] == '/' &&
+           strcmp(path + length - 2, ".h") == 0;
+}
+
+uint64_t watch_headers(const Watch *watch, size_t i)
+{
+    char rules[4096];
+    size_t size;
+    watch_path(rules, watch->objects, i, ".d");
+    char *text = file_read(rules, MOST_BYTES, &size, NULL), *rest = text;
+    uint64_t sum = 0;
+    for (char *path; text && (path = next_path(&rest));)
+        if (is_own_header(watch, path))
+            sum = watch_fingerprint(hash_u64(sum + 1), path);
+    free(text);
+    return sum;
+}
 
 static void make_folder_of(const char *object)
 {
@@ -19,44 +67,18 @@ static void make_folder_of(const char *object)
     }
 }
 
-bool build_start(Build *build, const char *command, const char *source, const char *object, Error *error)
+static const char *line_of(const char *text, const char *at)
 {
-    const char *const arguments[] = {"/bin/sh", "-c", command, "sh", source, object, NULL};
-    make_folder_of(object);
-    build->started = clock_seconds();
-    build->size = 0;
-    build->text[0] = '\0';
-    return process_start(&build->compiler, arguments, PRINTS_ALL) ||
-           error_set(error, "cannot start the compiler: %s", strerror(errno));
+    while (at > text && at[-1] != '\n')
+        at--;
+    return at;
 }
 
-bool build_poll(Build *build, bool *ok)
-{
-    int status = 0;
-    // The first part is kept; the first error counts.
-    process_read(&build->compiler, build->text, sizeof build->text, &build->size);
-    if (clock_seconds() - build->started > LONGEST) {
-        process_kill(&build->compiler);
-        build->size = (size_t)snprintf(build->text, sizeof build->text,
-                                       "error: the compiler did not end within %.0f s\n", LONGEST);
-        *ok = false;
-        return true;
-    }
-    if (!process_has_ended(&build->compiler, &status))
-        return false;
-    process_read(&build->compiler, build->text, sizeof build->text, &build->size);
-    process_kill(&build->compiler); // what it left running may hold the pipe
-    *ok = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    return true;
-}
-
-// NULL: no line has this word.
+// The first; NULL: no line has this word.
 static const char *line_with(const char *text, const char *word)
 {
-    const char *line = strstr(text, word);
-    while (line && line > text && line[-1] != '\n')
-        line--;
-    return line;
+    const char *found = strstr(text, word);
+    return found ? line_of(text, found) : NULL;
 }
 
 // The first line with a word that tells, or the last line of all. A name that is not known makes gcc warn, and only
@@ -73,38 +95,70 @@ static const char *find_line(const char *text)
     found = text + strlen(text);
     while (found > text && found[-1] == '\n')
         found--;
-    while (found > text && found[-1] != '\n')
-        found--;
-    return found;
+    return line_of(text, found);
 }
 
 static void describe_line(const char *found, const char *file, char *line, size_t size)
 {
-    size_t length = strcspn(found, "\n"), path = strcspn(found, ":\n");
-    const char *name = found;
-    for (size_t i = 0; i < path; i++)
-        name = found[i] == '/' ? found + i + 1 : name;
-    size_t name_length = (size_t)(found + path - name);
+    const char *end = found + strcspn(found, "\n"), *path_end = found + strcspn(found, ":\n"), *name = path_end;
+    while (name > found && name[-1] != '/')
+        name--;
     bool is_source =
-        name_length > 2 && (strncmp(found + path - 2, ".c", 2) == 0 || strncmp(found + path - 2, ".h", 2) == 0);
-    int rest = (int)(found + length - name);
-    if (length == 0)
+        path_end - name > 2 && (strncmp(path_end - 2, ".c", 2) == 0 || strncmp(path_end - 2, ".h", 2) == 0);
+    if (found == end)
         snprintf(line, size, "%s: the compiler failed and said nothing", file);
-    else if (is_source)
-        snprintf(line, size, "%.*s", rest, name);
     else
-        snprintf(line, size, "%s: %.*s", file, rest, name);
+        snprintf(line, size, "%s%s%.*s", is_source ? "" : file, is_source ? "" : ": ", (int)(end - name), name);
 }
 
-void build_error_line(const Build *build, const char *file, char *line, size_t size)
+static WatchEvent remove_object(Watch *watch, size_t i, const char *object)
 {
-    describe_line(find_line(build->text), file, line, size);
+    if (unlink(object) != 0 && errno == ENOENT)
+        return WATCH_NOTHING;
+    snprintf(watch->message, sizeof watch->message, "%s.c: deleted; the reference plays in its place", name_of(i));
+    return WATCH_BUILT;
 }
 
-bool build_warning_line(const Build *build, const char *file, char *line, size_t size)
+WatchEvent watch_begin_build(Watch *watch, size_t i)
 {
-    const char *warning = line_with(build->text, "warning:");
-    if (warning)
-        describe_line(warning, file, line, size);
-    return warning;
+    char source[4096], object[4096];
+    watch_path(source, watch->source, i, ".c");
+    watch_path(object, watch->objects, i, ".so");
+    watch->files[i].dirty = false;
+    watch->files[i].error[0] = '\0';
+    watch_look_at(watch, i); // what is built, even if it was seen half-written before
+    if (access(source, F_OK) != 0)
+        return remove_object(watch, i, object);
+    watch->building = i;
+    make_folder_of(object);
+    if (job_start(&watch->compiler, watch->command, source, object))
+        return WATCH_BUILDING;
+    snprintf(watch->message, sizeof watch->message, "%s.c: cannot start the compiler: %s", name_of(i), strerror(errno));
+    return WATCH_FAILED;
+}
+
+WatchEvent watch_end_build(Watch *watch)
+{
+    char name[256];
+    int status;
+    Job *compiler = &watch->compiler;
+    Source *file = &watch->files[watch->building];
+    if (!job_poll(compiler, LONGEST, &status))
+        return WATCH_NOTHING;
+    snprintf(name, sizeof name, "%s.c", name_of(watch->building));
+    watch->warning[0] = '\0';
+    file->headers = watch_headers(watch, watch->building); // it may read others now
+    if (status == 0) {
+        const char *warning = line_with(compiler->text, "warning:");
+        snprintf(watch->message, sizeof watch->message, "%s: built in %.2f s", name,
+                 clock_seconds() - compiler->started);
+        if (warning)
+            describe_line(warning, name, watch->warning, sizeof watch->warning);
+        return WATCH_BUILT;
+    }
+    if (status == -1)
+        snprintf(compiler->text, sizeof compiler->text, "error: the compiler did not end within %.0f s\n", LONGEST);
+    describe_line(find_line(compiler->text), name, watch->message, sizeof watch->message);
+    snprintf(file->error, sizeof file->error, "%.299s", watch->message);
+    return WATCH_FAILED;
 }

@@ -1,9 +1,9 @@
-// What the watch is made of; for watch.c and watch_notify.c.
+// What the watch is made of.
 #ifndef PHOTONLAB_PREVIEW_WATCH_INTERNAL_H
 #define PHOTONLAB_PREVIEW_WATCH_INTERNAL_H
 
 #include "preview/watch/watch.h"
-#include "preview/watch/watch_build.h"
+#include "preview/watch/job.h"
 #include "steps/steps.h"
 
 #include <stdint.h>
@@ -17,13 +17,14 @@ typedef struct {
 } Source;
 
 struct Watch {
-    char source[2048], objects[2048], *command;
+    char source[2048], objects[2048];
+    const char *command;
     Source files[STEP_COUNT];
     int inotify;             // −1: none
     int folders[STEP_COUNT]; // inotify's number for the folder of each step; −1: not there
     double looked;
-    Build build;
-    size_t building; // the step
+    Job compiler;
+    size_t building; // the step that it is at, or was
     char message[1024], warning[1024];
     char stray[512]; // a saved file that is named like no step; "": none
 };
@@ -32,7 +33,10 @@ void watch_path(char path[4096], const char *folder, size_t step, const char *en
 // Of the headers below the watched folder that the step's last build read, as the compiler has written them down beside
 // the object. 0: none.
 uint64_t watch_headers(const Watch *watch, size_t step);
-void watch_mark(Watch *watch, size_t step); // its file was saved, or may have been
+bool watch_look_at(Watch *watch, size_t step); // true: its file is not as it was
+void watch_mark(Watch *watch, size_t step);    // its file was saved, or may have been
+WatchEvent watch_begin_build(Watch *watch, size_t step);
+WatchEvent watch_end_build(Watch *watch); // without waiting
 
 // By inotify; without it the first two do nothing, and times have to do.
 void watch_start_listening(Watch *watch);
