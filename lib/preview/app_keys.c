@@ -9,14 +9,14 @@
 
 static void change_photons(App *app)
 {
-    double photons = (double)app->session.photons * (app->key == '+' ? 2.0 : 0.5);
-    app->session.photons = (long)fmin(fmax(photons, 1000.0), 16e6);
+    long *photons = &app->session.asked.photons;
+    *photons = (long)fmin(fmax((double)*photons * (app->key == '+' ? 2.0 : 0.5), 1000.0), 16e6);
     session_ask_photons(&app->session);
 }
 
 static void change_seed(App *app)
 {
-    app->session.seed++;
+    app->session.asked.seed++;
     session_ask_photons(&app->session);
 }
 

@@ -6,15 +6,21 @@
 #include <stdio.h>
 #include <string.h>
 
-#define NEXT_LOOK 0.4
+#define LOBE_SAMPLES 20000
+#define NEXT_LOOK    0.4 // s
 
 bool session_start(Session *session, const Scene *scene, const PreviewOptions *options, const View *view,
                    Broker *broker, Canvas *canvas, Error *error)
 {
     *session = (Session){.options = options, .view = view, .broker = broker, .canvas = canvas, .scene = scene};
     session->scene_path = options->scene_path;
-    session->photons = options->photons;
-    session->seed = options->seed;
+    session->asked = (RunRequest){.play_is_given = options->play_is_given,
+                                  .play = options->play,
+                                  .seed = options->seed,
+                                  .photons = options->photons,
+                                  .depth = options->depth,
+                                  .recorded = options->recorded,
+                                  .samples = LOBE_SAMPLES};
     session->stage = options->stage;
     session_choose_way(session);
     for (int i = 0; i < DATA_COUNT; i++)
@@ -59,7 +65,7 @@ static void rebuilt(Session *session)
     session->fault[0] = session->notice[0] = '\0'; // to be told again if they are still there
     for (int kind = RUN_LOBE; kind < RUN_RENDER; kind++)
         session_drop(session, (RunKind)kind, YOURS);
-    session_ask_player(session, YOURS);
+    session_ask(session, RUN_PHOTONS, YOURS);
     session->asked_by = "save";
     session->after_save = true; // until the window has shown it
     if (session->rendering)
@@ -200,7 +206,7 @@ bool session_poll(Session *session)
 // What is waited for: photons or findings. NULL: nothing.
 static Run *awaited(const Session *session)
 {
-    int last = session->most_passes > 0 ? RUN_RENDER : RUN_RENDER - 1;
+    int last = session->asked.passes > 0 ? RUN_RENDER : RUN_RENDER - 1;
     for (int i = 0; i < PLAYERS; i++)
         for (int kind = RUN_PHOTONS; kind <= last; kind++)
             if (session->runs[kind][i] && !session->have[kind][i])

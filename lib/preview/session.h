@@ -12,6 +12,12 @@
 enum { YOURS, REFERENCE, PLAYERS, COMING = PLAYERS, DATA_COUNT };
 #define RUN_KINDS (RUN_RENDER + 1)
 
+// What decides a picture, without gaps between: it is compared byte by byte.
+typedef struct {
+    Orbit orbit;
+    int width, height, split;
+} Seen;
+
 typedef struct {
     const PreviewOptions *options;
     const View *view; // what is looked at, and so what is needed
@@ -24,16 +30,9 @@ typedef struct {
     ViewData *data[DATA_COUNT];
     double lobe[MOST_SETTINGS]; // of the view, that its samples were asked with
 
-    long photons;
-    uint64_t seed;
-    Integrator integrator; // of pictures,
-    RadiiRule radii;       // and of their passes
-    int most_passes;       // 0: until they are stopped
-    bool rendering;        // pictures are shown, and no photons
-    struct {
-        Orbit orbit;
-        int width, height, split;
-    } rendered;                // what they were asked of
+    RunRequest asked;          // what is the same for all views and both players
+    bool rendering;            // pictures are shown, and no photons
+    Seen seen;                 // what they were asked of
     double render_started;     // clock_seconds()
     Image kept[PLAYERS];       // the picture before, until a new one is there
     double asked_at;           // clock_seconds() of the save or key that the coming photons answer
@@ -47,7 +46,6 @@ typedef struct {
     const Scene *scene;
     const char *scene_path;
     int stage;              // that the scene is of; 0: of none
-    bool spectral;          // photons of single wavelengths
     Scene *own_scene;       // the present one, where it is not that of the start,
     Broker *own_broker;     // and its
     double looked_at_scene; // clock_seconds()
@@ -68,14 +66,10 @@ void session_end(Session *session);
 
 // Asks for new photons from the student's code, and from the reference if it is shown.
 void session_ask_photons(Session *session);
-// Asks for one player's; what was asked before is dropped.
-void session_ask_player(Session *session, int player);
+// Asks one player for one kind; what was asked before is dropped.
+void session_ask(Session *session, RunKind kind, int player);
 // Asks for whatever the view needs and is not there yet.
 void session_need(Session *session);
-void session_need_render(Session *session);
-// What is the same in all requests of a player.
-RunRequest session_request(const Session *session, int player, RunKind kind);
-void session_start_run(Session *session, int player, const RunRequest *request);
 // What there is of one kind is out of date.
 void session_drop(Session *session, RunKind kind, int player);
 // Ends a run, if there is one.
@@ -95,11 +89,7 @@ void session_stop_render(Session *session);
 void session_choose_way(Session *session); // as flags say, or else the scene and its stage
 // A scene's file that was written anew, or one of its meshes, is loaded anew. True: something to see.
 bool session_look_at_scene(Session *session);
-// What is looked at from now on. The scene of before stays where this one cannot be read.
-void session_load_scene(Session *session, const char *path);
 bool session_is_faulty(const Session *session); // something is said in the banner
-// NULL: there is none yet.
-const Image *session_image(const Session *session, int player);
 // Another way to make a picture.
 void session_next_way(Session *session);
 

@@ -22,9 +22,9 @@ void session_choose_way(Session *session)
 {
     const PreviewOptions *options = session->options;
     Integrator own = session->stage == 4 ? INTEGRATOR_GATHER : session->scene->settings.integrator;
-    session->integrator = options->integrator < 0 ? own : (Integrator)options->integrator;
-    session->radii = session->stage == 5 && options->radii == RADII_ALIKE ? RADII_BY_PASS : options->radii;
-    session->spectral = options->spectral || session->stage == 6;
+    session->asked.integrator = options->integrator < 0 ? own : (Integrator)options->integrator;
+    session->asked.radii = session->stage == 5 && options->radii == RADII_ALIKE ? RADII_BY_PASS : options->radii;
+    session->asked.spectral = options->spectral || session->stage == 6;
 }
 
 // The same mistake is told once.
@@ -83,15 +83,6 @@ static bool take_scene(Session *session)
     return true;
 }
 
-void session_load_scene(Session *session, const char *path)
-{
-    const char *before = session->scene_path;
-    session->scene_path = path;
-    take_scene(session);
-    if (session->scene_fault[0])
-        session->scene_path = before;
-}
-
 bool session_look_at_scene(Session *session)
 {
     double now = clock_seconds();
@@ -110,8 +101,12 @@ void session_show_step(Session *session, const StepInfo *step)
     if (!step)
         return;
     if (session->stage > 0 && step->stage != session->stage) { // each has a scene in which its steps show
+        const char *before = session->scene_path;
         session->stage = step->stage;
-        session_load_scene(session, stage_scenes[step->stage - 1]);
+        session->scene_path = stage_scenes[step->stage - 1];
+        take_scene(session);
+        if (session->scene_fault[0])
+            session->scene_path = before;
     }
     printf("the present step: %s/%s.c\n", session->options->source, step->file);
 }

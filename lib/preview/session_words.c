@@ -25,14 +25,12 @@ static bool list_steps(const Recording *recording, bool students, bool played, c
 static void describe_render(const Session *session, char *text, size_t size)
 {
     const Run *render = session->runs[RUN_RENDER][YOURS];
+    static const char *const RADII[RADII_RULES] = {"", ", radii shrink by pass", ", radii shrink by pixel"};
     int passes = 0;
     if (render)
         run_image(render, &passes);
-    snprintf(text, size, "rendered by %s%s%s: ", integrator_names[session->integrator],
-             session->spectral ? ", in wavelengths" : "",
-             session->radii == RADII_ALIKE     ? ""
-             : session->radii == RADII_BY_PASS ? ", radii shrink by pass"
-                                               : ", radii shrink by pixel");
+    snprintf(text, size, "rendered by %s%s%s: ", integrator_names[session->asked.integrator],
+             session->asked.spectral ? ", in wavelengths" : "", RADII[session->asked.radii]);
     if (passes > 0)
         text_append(text, size, "%d pass%s", passes, passes == 1 ? "" : "es");
     else
@@ -84,10 +82,14 @@ static void list_faults(const Session *session, char *text, size_t size)
             text_append(text, size, "%s%s", text[0] ? "\n" : "", lines[i]);
 }
 
-// Of a run that renders, as sRGB, in memory of its own. None: there is nothing yet, or memory is short.
+// Of a run that renders, or the one before it, as sRGB, in memory of its own. None: there is nothing yet, or memory is short.
 static Picture picture_of(const Session *session, int player)
 {
-    const Image *image = session_image(session, player);
+    const Run *run = session->runs[RUN_RENDER][player];
+    const Image *image = run ? run_image(run, NULL) : NULL;
+    bool wanted = session->rendering && (player == YOURS || session->view->split);
+    if (!image && wanted && session->kept[player].pixels)
+        image = &session->kept[player];
     uint8_t *bytes = image ? rendered_rgba(image, view_brightness(session->view)) : NULL;
     return bytes ? (Picture){bytes, image->width, image->height} : (Picture){NULL, 0, 0};
 }

@@ -47,13 +47,14 @@ static void append_settings(const View *view, char *text, size_t size)
 static void append_render(const Session *session, char *text, size_t size)
 {
     int passes = 0;
+    const RunRequest *asked = &session->asked;
     const Run *render = session->runs[RUN_RENDER][YOURS];
     if (!render || !run_image(render, &passes))
         return;
     text_append(text, size, " --render %d --integrator %s", passes > 0 ? passes : 1,
-                integrator_names[session->integrator]);
-    if (session->radii != RADII_ALIKE)
-        text_append(text, size, " --radii %s", radii_rules[session->radii]);
+                integrator_names[asked->integrator]);
+    if (asked->radii != RADII_ALIKE)
+        text_append(text, size, " --radii %s", radii_rules[asked->radii]);
 }
 
 void snapshot_command(const Session *session, char *text, size_t size)
@@ -65,7 +66,7 @@ void snapshot_command(const Session *session, char *text, size_t size)
     text[0] = '\0';
     text_append(text, size, "build/photonlab preview %s --snapshot %s --size %dx%d --photons %ld --seed %llu",
                 session->scene_path, options->snapshot, canvas_width(session->canvas), canvas_height(session->canvas),
-                session->photons, (unsigned long long)session->seed);
+                session->asked.photons, (unsigned long long)session->asked.seed);
     text_append(text, size, " --camera %.5g,%.5g,%.5g,%.5g,%.5g,%.5g", (double)p.x, (double)p.y, (double)p.z,
                 (double)t.x, (double)t.y, (double)t.z);
     text_append(text, size, " --view %s --colour %s", view_names[view->kind], colour_names[view->colour]);
@@ -84,7 +85,7 @@ void snapshot_command(const Session *session, char *text, size_t size)
         text_append(text, size, " --no-wireframe");
     if (options->code)
         text_append(text, size, " --code %s", options->code);
-    if (session->spectral)
+    if (session->asked.spectral)
         text_append(text, size, " --spectral");
     append_render(session, text, size);
     if (options->play_is_given) {
@@ -104,7 +105,7 @@ static bool draw_and_write(Session *session, const Scene *scene, Error *error)
         if (options->given[i])
             view_data_record(session->data[i], recording);
     }
-    session->most_passes = options->render;
+    session->asked.passes = options->render;
     if (options->render > 0 && !session->runs[RUN_RENDER][YOURS])
         session_render(session);
     while (!options->given[YOURS] && (session_poll(session) || session_is_busy(session)))
@@ -117,7 +118,7 @@ static bool draw_and_write(Session *session, const Scene *scene, Error *error)
 
 bool preview_snapshot(const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error)
 {
-    Session session = {.photons = 0};
+    Session session = {.canvas = NULL};
     Window *window = options->in_window ? window_create(NULL, options->width, options->height, error) : NULL;
     Context *context = options->in_window ? NULL : context_create(options->context, error);
     Canvas *canvas = window || context ? canvas_create(window ? window_loader() : context_loader(context),
