@@ -32,11 +32,6 @@ void worker_send_both(WireKind kind, const void *first, size_t first_size, const
     photonlab_send((int)kind_now, (int)kind, first, first_size, rest, rest_size);
 }
 
-void worker_send(WireKind kind, const void *bytes, size_t size)
-{
-    worker_send_both(kind, bytes, size, NULL, 0);
-}
-
 void worker_beat(double fraction)
 {
     static unsigned calls;

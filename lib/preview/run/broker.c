@@ -1,5 +1,4 @@
 // The window's side of the helper process.
-#include "preview/run/helper.h"
 #include "preview/run/run_internal.h"
 #include "base/parallel.h"
 

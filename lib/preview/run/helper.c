@@ -1,11 +1,11 @@
 // The helper process: holds the scene, forks workers, and tells when they have ended.
 #define _GNU_SOURCE
-#include "preview/run/helper.h"
+#include "preview/run/run_internal.h"
 #include "preview/run/worker.h"
 #include "base/array.h"
 #include "base/parallel.h"
-#include "base/process.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -16,6 +16,77 @@
 #if defined(__linux__)
 #include <sys/prctl.h>
 #endif
+
+// What students' code prints goes through the helper process: the first lines of every run, and how many more there
+// were. A printf in a step of the photon's life runs a million times, and a terminal full of it hides what was wanted.
+#define OUTPUT_LINES 100 // of a run, that are passed on
+#define OUTPUT_BYTES 16384
+
+typedef struct {
+    int ends[2]; // of a pipe
+    long lines;
+    size_t bytes;    // passed on since output_end
+    long more_lines; // kept back
+    unsigned long more_bytes;
+    bool in_line; // the last byte that was passed on ended no line
+} HelperOutput;
+
+// A worker's side: standard output and standard error go into the pipe from now on.
+static void output_join(const HelperOutput *output)
+{
+    dup2(output->ends[1], STDOUT_FILENO);
+    dup2(output->ends[1], STDERR_FILENO);
+    close(output->ends[0]);
+    close(output->ends[1]);
+}
+
+// How many of these bytes belong to the first lines.
+static size_t first_lines(HelperOutput *output, const char *bytes, size_t size)
+{
+    size_t taken = 0;
+    while (taken < size && output->lines < OUTPUT_LINES && output->bytes + taken < OUTPUT_BYTES)
+        output->lines += bytes[taken++] == '\n';
+    output->bytes += taken;
+    return taken;
+}
+
+static void sort(HelperOutput *output, const char *bytes, size_t size)
+{
+    size_t shown = first_lines(output, bytes, size);
+    write_all(STDOUT_FILENO, bytes, shown);
+    if (shown > 0)
+        output->in_line = bytes[shown - 1] != '\n';
+    output->more_bytes += size - shown;
+    for (size_t i = shown; i < size; i++)
+        output->more_lines += bytes[i] == '\n';
+}
+
+// Takes what has come, without waiting.
+static void output_pass_on(HelperOutput *output)
+{
+    char bytes[1 << 16];
+    for (ssize_t got; (got = read(output->ends[0], bytes, sizeof bytes)) != 0;) {
+        if (got > 0)
+            sort(output, bytes, (size_t)got);
+        else if (errno != EINTR)
+            return; // nothing more at present
+    }
+}
+
+// Takes the rest, says how much was kept back, and counts anew.
+static void output_end(HelperOutput *output)
+{
+    char text[160] = "";
+    output_pass_on(output);
+    if (output->more_bytes > 0)
+        snprintf(text, sizeof text,
+                 "%s… and %ld more lines that your code printed; `make render CODE=exercises` shows all\n",
+                 output->in_line ? "\n" : "", output->more_lines);
+    else if (output->in_line)
+        snprintf(text, sizeof text, "\n");
+    write_all(STDOUT_FILENO, text, strlen(text));
+    *output = (HelperOutput){.ends = {output->ends[0], output->ends[1]}};
+}
 
 typedef struct {
     pid_t pid;

@@ -1,10 +1,16 @@
-// Inside of a Broker and of a Run: the window's side.
+// Inside of a Broker and of a Run: the window's side, and its way to the helper.
 #ifndef PHOTONLAB_PREVIEW_RUN_INTERNAL_H
 #define PHOTONLAB_PREVIEW_RUN_INTERNAL_H
 
 #include "base/process.h"
 #include "preview/record/rendered.h"
 #include "preview/run/wire.h"
+
+#include <sys/socket.h>
+
+#ifndef MSG_NOSIGNAL
+#define MSG_NOSIGNAL 0
+#endif
 
 struct Broker {
     const Scene *scene;
@@ -17,6 +23,15 @@ struct Broker {
     uint32_t last_run;
     char code_source[4096];
 };
+
+// What the workers' pipes travel in.
+typedef union { // aligned as a header must be
+    struct cmsghdr head;
+    char bytes[CMSG_SPACE(MOST_WORKERS * sizeof(int))];
+} WirePipes;
+
+// The process that the broker forks: never returns.
+void helper_run(const Scene *scene, int socket);
 
 // Sends an order, with `pipes`, a file descriptor for each worker, to those that start.
 bool broker_send(Broker *broker, const WireOrder *order, const int *pipes);
@@ -77,7 +92,6 @@ struct Run {
 // Takes what has come from this part, for a moment at most. True: something was new, or may wait for the next time.
 bool part_read(Run *run, Part *part, double until);
 void part_free(Part *part);
-bool buffer_add(Buffer *buffer, const void *bytes, size_t size);
 
 // Fills in the notice.
 void run_describe_oddities(Run *run);

@@ -59,11 +59,6 @@ void worker_send_both(WireKind kind, const void *first, size_t first_size, const
     last_sent = coarse_seconds();
 }
 
-void worker_send(WireKind kind, const void *bytes, size_t size)
-{
-    worker_send_both(kind, bytes, size, NULL, 0);
-}
-
 void worker_beat(double fraction)
 {
     progress = fraction;

@@ -13,6 +13,8 @@ typedef struct {
     int index;    // of order->workers
     pid_t helper; // whose end is the worker's
     StepChoice play;
+    PhotonPass pass; // what it has counted: its books
+    int bounces;     // the most that a photon had met
 } Worker;
 
 // Does the part, sends what it finds down the pipe, and ends the process.
@@ -32,8 +34,7 @@ RenderOptions worker_options(const Worker *worker, int width, int height);
 
 // Everything behind one head. Ends the process when the window no longer listens.
 void worker_send(WireKind kind, const void *bytes, size_t size);
-// What the run found: the last message. `bounces`: the most that a photon had met.
-void worker_send_books(Worker *worker, WireKind kind, const PhotonPass *pass, int bounces);
+void worker_send_books(const Worker *worker, WireKind kind); // as a Recording
 // In two parts.
 void worker_send_both(WireKind kind, const void *first, size_t first_size, const void *rest, size_t rest_size);
 // Says that something was finished, and how much is now, 0…1 of the part. Cheap: may be called for each path.

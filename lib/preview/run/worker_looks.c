@@ -15,13 +15,6 @@ static int across(const Scene *scene, int down)
     return (int)fmaxf((float)down * fminf(aspect, MOST_ASPECT) + 0.5f, 1.0f);
 }
 
-static bool end_with(Worker *worker, const void *items, size_t size)
-{
-    worker_send(WIRE_FINDINGS, items, size);
-    worker_send_books(worker, WIRE_DONE, &(PhotonPass){.emitted = 0}, 0);
-    return true;
-}
-
 static void send_estimate(void *user, const IrradianceEstimate *estimate)
 {
     (void)user;
@@ -38,7 +31,7 @@ bool worker_estimates(Worker *worker, Error *error)
     RenderStats stats;
     bool ok = render_image(worker->scene, &options, &image, &stats, error);
     image_free(&image);
-    return ok && end_with(worker, NULL, 0);
+    return ok;
 }
 
 static ShrinkingDisk disks[MOST_ASPECT * DISKS_DOWN * DISKS_DOWN];
@@ -83,5 +76,7 @@ bool worker_disks(Worker *worker, Error *error)
     RenderStats stats;
     bool ok = passes_run(worker->scene, &options, &passes, &stats, error);
     passes_free(&passes);
-    return ok && end_with(worker, disks, keep_seen(worker->scene, width) * sizeof *disks);
+    if (ok)
+        worker_send(WIRE_FINDINGS, disks, keep_seen(worker->scene, width) * sizeof *disks);
+    return ok;
 }

@@ -12,7 +12,6 @@ typedef struct {
     long first, last, path;
     float reach; // how far escaped photons are drawn, m: half across the scene
     long path_photons, path_legs;
-    int bounces;
     size_t photon_count, leg_count;
     RecordedPhoton photons[BATCH];
     PathLeg legs[BATCH];
@@ -45,8 +44,8 @@ static void take_photon(void *user, const StoredPhoton *photon, float flown)
 static void take_leg(void *user, const Photon *photon, const Hit *hit)
 {
     PhotonSender *s = user;
-    if (hit && photon->bounce + 1 > s->bounces)
-        s->bounces = photon->bounce + 1;
+    if (hit && photon->bounce + 1 > s->worker->bounces)
+        s->worker->bounces = photon->bounce + 1;
     if (s->path >= s->worker->order->request.recorded || s->path_legs++ >= MOST_IN_PATH)
         return;
     float wave = photon->wavelength; // of preview's photons each has but one
@@ -65,21 +64,6 @@ static void take_leg(void *user, const Photon *photon, const Hit *hit)
     };
     if (++s->leg_count == BATCH)
         flush(WIRE_LEGS, s->legs, sizeof s->legs[0], &s->leg_count);
-}
-
-void worker_send_books(Worker *worker, WireKind kind, const PhotonPass *pass, int bounces)
-{
-    Recording books;
-    memset(&books, 0, sizeof books);
-    books.ledger = pass->ledger;
-    books.emitted = pass->emitted;
-    books.unsound = pass->unsound;
-    books.redraw_caps = redraw_cap_count();
-    books.segments = pass->segments;
-    books.bounces = bounces;
-    memcpy(books.states, step_states, sizeof books.states);
-    books.play = worker->play;
-    worker_send(kind, &books, sizeof books);
 }
 
 bool worker_photons(Worker *worker, Error *error)
@@ -105,14 +89,12 @@ bool worker_photons(Worker *worker, Error *error)
         .last = s.last,
         .recorder = &recorder,
     };
-    PhotonPass pass = {.emitted = 0};
-    worker_send_books(worker, WIRE_BEGUN, &pass, 0);
-    if (!photon_pass_run(worker->scene, &options, &pass, error))
+    worker_send_books(worker, WIRE_BEGUN);
+    if (!photon_pass_run(worker->scene, &options, &worker->pass, error))
         return false;
     flush(WIRE_PHOTONS, s.photons, sizeof s.photons[0], &s.photon_count);
     flush(WIRE_LEGS, s.legs, sizeof s.legs[0], &s.leg_count);
-    worker_send_books(worker, WIRE_DONE, &pass, s.bounces);
-    photon_pass_free(&pass);
+    photon_pass_free(&worker->pass);
     return true;
 }
 
@@ -141,7 +123,5 @@ bool worker_lobe(Worker *worker, Error *error)
         if (count == BATCH || i + 1 == request->samples)
             flush(WIRE_FINDINGS, batch, sizeof batch[0], &count);
     }
-    PhotonPass none = {.emitted = 0};
-    worker_send_books(worker, WIRE_DONE, &none, 0);
     return true;
 }

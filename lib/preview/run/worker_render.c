@@ -46,8 +46,6 @@ static void send_picture(const Image *image, bool coarse, int mean_of)
 static bool render_pass(Worker *worker, uint64_t pass, int side, Error *error)
 {
     const RunRequest *request = &worker->order->request;
-    Scene scene = *worker->scene;
-    scene.camera = request->camera;
     RenderOptions options =
         worker_options(worker, (request->width + side - 1) / side, (request->height + side - 1) / side);
     // The first pass is the picture that `photonlab render --samples 1 --seed S` gives.
@@ -57,7 +55,7 @@ static bool render_pass(Worker *worker, uint64_t pass, int side, Error *error)
     options.settings.photons = side > 1 ? options.settings.photons / side + 1 : options.settings.photons;
     Image image = {0, 0, NULL};
     RenderStats stats;
-    if (!render_image(&scene, &options, &image, &stats, error))
+    if (!render_image(worker->scene, &options, &image, &stats, error))
         return false;
     send_picture(&image, side > 1, 0);
     image_free(&image);
@@ -79,8 +77,6 @@ static bool send_mean(void *user, const Passes *passes)
 static bool render_in_a_row(Worker *worker, Error *error)
 {
     const RunRequest *request = &worker->order->request;
-    Scene scene = *worker->scene;
-    scene.camera = request->camera;
     RenderOptions options = worker_options(worker, request->width, request->height);
     Passes passes = {.alpha = PASS_ALPHA,
                      .last = request->passes > 0 ? request->passes : MOST_PASSES,
@@ -88,7 +84,7 @@ static bool render_in_a_row(Worker *worker, Error *error)
                      .heard = send_mean,
                      .user = error};
     RenderStats stats;
-    bool ok = passes_run(&scene, &options, &passes, &stats, error) && !error->message[0];
+    bool ok = passes_run(worker->scene, &options, &passes, &stats, error) && !error->message[0];
     passes_free(&passes);
     return ok;
 }
@@ -96,16 +92,18 @@ static bool render_in_a_row(Worker *worker, Error *error)
 bool worker_render(Worker *worker, Error *error)
 {
     const RunRequest *request = &worker->order->request;
+    static Scene scene; // as the request's camera sees it
+    scene = *worker->scene;
+    scene.camera = request->camera;
+    worker->scene = &scene;
     uint64_t passes = request->passes > 0 ? (uint64_t)request->passes : UINT64_MAX;
     for (int side = COARSE; worker->index == 0 && request->passes == 0 && side > 1; side /= 2)
         if (!render_pass(worker, 0, side, error))
             return false;
-    if (request->radii != RADII_ALIKE && !render_in_a_row(worker, error))
-        return false;
-    uint64_t pass = request->radii == RADII_ALIKE ? (uint64_t)worker->index : passes;
-    for (; pass < passes; pass += (uint64_t)worker->order->workers)
+    if (request->radii != RADII_ALIKE)
+        return render_in_a_row(worker, error);
+    for (uint64_t pass = (uint64_t)worker->index; pass < passes; pass += (uint64_t)worker->order->workers)
         if (!render_pass(worker, pass, 1, error))
             return false;
-    worker_send_books(worker, WIRE_DONE, &(PhotonPass){.emitted = 0}, 0);
     return true;
 }
