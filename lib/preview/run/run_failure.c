@@ -3,6 +3,7 @@
 #include "preview/record/fault.h"
 #include "base/parallel.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,13 +22,18 @@ static void read_answer(const char *text, SourcePlace *place)
             *place = places[i];
 }
 
+// The last that failed was to get memory.
+static bool was_refused(const Run *run)
+{
+    return run->crash.at.reason == ENOMEM;
+}
+
 // Filling much memory takes time: patience may end before the memory does. A picture has photons of its own.
 static bool is_out_of_memory(const Run *run)
 {
-    const WireCrash *crash = &run->crash;
     unsigned long long most = (unsigned long long)WORKER_MEMORY_GB << 20;
-    bool growing = run->stuck && run->request.kind != RUN_RENDER && crash->grown_kb > most / 4;
-    return crash->refused || growing || (run->request.kind != RUN_RENDER && crash->grown_kb > most / 8 * 7);
+    bool grown = run->crash.grown_kb > (run->stuck ? most / 4 : most / 8 * 7);
+    return was_refused(run) || (run->request.kind != RUN_RENDER && grown);
 }
 
 // What the dying process wrote down.
@@ -35,22 +41,22 @@ static Fault fault_of(const Run *run)
 {
     const WireCrash *crash = &run->crash;
     Fault fault = {.kind = FAULT_SIGNAL,
-                   .signal = crash->signal,
-                   .address = crash->address,
+                   .signal = crash->at.signal,
+                   .address = crash->at.address,
                    .calls_itself = crash->inner.calls_itself,
                    .run = run->request.kind,
                    .patience = run->patience};
-    if (crash->signal == 0)
+    if (crash->at.signal == 0)
         fault.kind = FAULT_EXIT;
-    else if (crash->stack_far)
+    else if (crash->at.stack_far)
         fault.kind = FAULT_STACK;
     else if (is_out_of_memory(run))
         fault.kind = FAULT_MEMORY;
     else if (run->stuck)
         fault.kind = FAULT_LOOP;
-    else if (crash->signal == SIGABRT)
+    else if (crash->at.signal == SIGABRT)
         fault.kind = FAULT_ABORT;
-    if (run->stuck && !crash->refused)
+    if (run->stuck && !was_refused(run))
         fault.memory_gb = (double)crash->grown_kb / (1024.0 * 1024.0);
     if (!crash->inner.object[0])
         return fault;
@@ -103,20 +109,6 @@ static void describe_words(const Run *run, char *text, size_t size)
     }
 }
 
-static void describe_failure(const Run *run, char *text, size_t size)
-{
-    if (run->words[0]) {
-        describe_words(run, text, size);
-        return;
-    }
-    if (!run->has_crash) {
-        describe_end(run, text, size);
-        return;
-    }
-    Fault fault = fault_of(run);
-    fault_describe(&fault, text, size);
-}
-
 static bool look_up(Run *run)
 {
     char offset[32], caller[32];
@@ -129,10 +121,17 @@ static bool look_up(Run *run)
 
 static void finish_failure(Run *run)
 {
+    RunStatus *status = &run->status;
+    Fault fault = fault_of(run);
     process_kill(&run->looker);
-    describe_failure(run, run->status.failure, sizeof run->status.failure);
-    run->status.state = RUN_FAILED;
-    run->status.news = true;
+    if (run->words[0])
+        describe_words(run, status->failure, sizeof status->failure);
+    else if (run->has_crash)
+        fault_describe(&fault, status->failure, sizeof status->failure);
+    else
+        describe_end(run, status->failure, sizeof status->failure);
+    status->state = RUN_FAILED;
+    status->news = true;
 }
 
 void run_go_on_with_failure(Run *run)
@@ -142,23 +141,15 @@ void run_go_on_with_failure(Run *run)
         finish_failure(run);
 }
 
-static const Part *failed_part(const Run *run)
-{
-    for (const Part *part = run->parts; part < run->parts + run->part_count; part++)
-        if (!part->done && part->pipe < 0 && (run->words[0] || run->has_crash || part->ended))
-            return part;
-    return NULL;
-}
-
 static bool has_failed(Run *run, bool all_done)
 {
-    const Part *part = failed_part(run);
     const char *words = "";
-    if (part) {
-        run->end_status = part->status;
-        run->stuck = run->stuck || (run->has_crash && run->crash.signal == SIGUSR1);
-        return true;
-    }
+    for (const Part *part = run->parts; part < run->parts + run->part_count; part++)
+        if (!part->done && part->pipe < 0 && (run->words[0] || run->has_crash || part->ended)) {
+            run->end_status = part->status;
+            run->stuck = run->stuck || (run->has_crash && run->crash.at.signal == SIGUSR1);
+            return true;
+        }
     if (run->out_of_memory)
         words = "not enough memory for what the run found; use fewer photons";
     else if (!run->stuck && !all_done && (run->broker->socket < 0 || run->helper != run->broker->helpers))

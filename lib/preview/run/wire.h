@@ -54,12 +54,9 @@ typedef struct {
 } WirePicture;
 
 typedef struct {
-    int signal;                  // SIGUSR1: it was asked where it is; 0: exit() was called
-    bool stack_far;              // see Crash
-    bool refused;                // the last that failed was to get memory
+    Crash at;                    // signal SIGUSR1: it was asked where it is; 0: exit() was called
     unsigned long long grown_kb; // memory since the work began
-    unsigned long long address;
-    InnerPlace inner; // in the student's code
+    InnerPlace inner;            // in the student's code
 } WireCrash;
 
 #endif

@@ -84,11 +84,8 @@ static void tell_crash(const char *place)
 
 static void on_signal(const Crash *at)
 {
-    crash.signal = at->signal;
-    crash.stack_far = at->stack_far;
-    crash.refused = at->reason == ENOMEM;
+    crash.at = *at;
     crash.grown_kb = at->peak_kb > peak_before ? at->peak_kb - peak_before : 0;
-    crash.address = at->address;
     tell_crash(at->place);
 }
 

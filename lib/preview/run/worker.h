@@ -23,8 +23,6 @@ void worker_run(Worker *worker, int pipe);
 // The work itself, by the steps of the order's folder. False with a reason. It and its parts, by kind of request, know no
 // process: what they find goes through worker_send….
 bool worker_work(Worker *worker, Error *error);
-bool worker_photons(Worker *worker, Error *error);
-bool worker_lobe(Worker *worker, Error *error);
 bool worker_estimates(Worker *worker, Error *error);
 bool worker_disks(Worker *worker, Error *error);
 bool worker_render(Worker *worker, Error *error); // of no number of passes: goes on until it is killed
@@ -34,7 +32,6 @@ RenderOptions worker_options(const Worker *worker, int width, int height);
 
 // Everything behind one head. Ends the process when the window no longer listens.
 void worker_send(WireKind kind, const void *bytes, size_t size);
-void worker_send_books(const Worker *worker, WireKind kind); // as a Recording
 // In two parts.
 void worker_send_both(WireKind kind, const void *first, size_t first_size, const void *rest, size_t rest_size);
 // Says that something was finished, and how much is now, 0…1 of the part. Cheap: may be called for each path.
