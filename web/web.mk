@@ -11,7 +11,7 @@ WASM_LINK  = -mexec-model=reactor -Wl,--strip-all -Wl,--stack-first -Wl,-z,stack
 # What needs a system below it stays out: processes, signals, loading of objects, windows.
 WASM_WITHOUT = lib/base/crash_% lib/base/process.c lib/base/file_disk.c lib/image/png.c lib/image/exr.c lib/render/passes/pass_file.c lib/steps/steps_load.c lib/preview/draw/context/%
 WASM_SOURCES = $(filter-out $(WASM_WITHOUT),$(LIBRARY_SOURCES) $(call find_c,lib/preview/draw lib/preview/record lib/preview/view) \
-               $(addprefix lib/preview/run/worker_,work.c looks.c render.c) \
+               $(addprefix lib/preview/run/worker_,work.c render.c) \
                $(STEP_SOURCES) $(wildcard web/module/*.c web/figures/*.c))
 LIBYAML_PARTS = api reader scanner parser
 

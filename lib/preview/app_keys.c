@@ -7,16 +7,13 @@
 #include <stdio.h>
 #include <unistd.h>
 
-static void change_photons(App *app)
+static void other_photons(App *app)
 {
-    long *photons = &app->session.asked.photons;
-    *photons = (long)fmin(fmax((double)*photons * (app->key == '+' ? 2.0 : 0.5), 1000.0), 16e6);
-    session_ask_photons(&app->session);
-}
-
-static void change_seed(App *app)
-{
-    app->session.asked.seed++;
+    RunRequest *asked = &app->session.asked;
+    if (app->key == 'r')
+        asked->seed++;
+    else
+        asked->photons = (long)fmin(fmax((double)asked->photons * (app->key == '+' ? 2.0 : 0.5), 1000.0), 16e6);
     session_ask_photons(&app->session);
 }
 
@@ -202,8 +199,8 @@ static const struct {
     {"f", "frame the scene", frame_all, .keys = {'f'}},
     {"0", "the scene's camera", look_as_at_first, .keys = {'0'}},
     {"space", "slow light: photons in order of flight", toggle_flight, .keys = {' '}},
-    {"+ -", "more, fewer photons", change_photons, .keys = {'+', '-'}},
-    {"r", "another seed", change_seed, .keys = {'r'}},
+    {"+ -", "more, fewer photons", other_photons, .keys = {'+', '-'}},
+    {"r", "another seed", other_photons, .keys = {'r'}},
     {"t", "the panel, on and off", toggle_panel, .keys = {'t'}},
     {"p", "render what you see, by your code, or end that", toggle_render, .keys = {'p'}},
     {"i", "render another way: from photons, gathered, by passes", next_way, .keys = {'i'}},

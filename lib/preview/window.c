@@ -35,8 +35,14 @@ static const char *reason(void)
     return text ? text : "for reasons that GLFW does not tell";
 }
 
-static Window *open_window(const char *title, int width, int height)
+Window *window_create(const char *title, int width, int height, Error *error)
 {
+    if (!load(error))
+        return NULL;
+    if (!glfw.glfwInit()) {
+        error_set(error, "no display: %s", reason());
+        return NULL;
+    }
     glfw.glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfw.glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfw.glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -48,18 +54,7 @@ static Window *open_window(const char *title, int width, int height)
     glfw.glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfw.glfwWindowHint(GLFW_VISIBLE, title != NULL);
     glfw.glfwWindowHint(GLFW_SCALE_TO_MONITOR, title != NULL);
-    return glfw.glfwCreateWindow(width, height, title ? title : "", NULL, NULL);
-}
-
-Window *window_create(const char *title, int width, int height, Error *error)
-{
-    if (!load(error))
-        return NULL;
-    if (!glfw.glfwInit()) {
-        error_set(error, "no display: %s", reason());
-        return NULL;
-    }
-    Window *window = open_window(title, width, height);
+    Window *window = glfw.glfwCreateWindow(width, height, title ? title : "", NULL, NULL);
     if (!window) {
         error_set(error, "no window with OpenGL 3.3: %s", reason());
         glfw.glfwTerminate();

@@ -40,19 +40,12 @@ static void output_join(const HelperOutput *output)
     close(output->ends[1]);
 }
 
-// How many of these bytes belong to the first lines.
-static size_t first_lines(HelperOutput *output, const char *bytes, size_t size)
-{
-    size_t taken = 0;
-    while (taken < size && output->lines < OUTPUT_LINES && output->bytes + taken < OUTPUT_BYTES)
-        output->lines += bytes[taken++] == '\n';
-    output->bytes += taken;
-    return taken;
-}
-
+// The first lines are shown, the rest is counted.
 static void sort(HelperOutput *output, const char *bytes, size_t size)
 {
-    size_t shown = first_lines(output, bytes, size);
+    size_t shown = 0;
+    for (; shown < size && output->lines < OUTPUT_LINES && output->bytes < OUTPUT_BYTES; output->bytes++)
+        output->lines += bytes[shown++] == '\n';
     write_all(STDOUT_FILENO, bytes, shown);
     if (shown > 0)
         output->in_line = bytes[shown - 1] != '\n';
@@ -118,6 +111,11 @@ static void end(Helper *helper)
 
 static void become_worker(const Helper *helper, const WireOrder *order, const int *pipes, int index)
 {
+#if defined(__linux__)
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != helper->pid) // it was gone before that
+        _exit(1);
+#endif
     signal(SIGCHLD, SIG_DFL);
     signal(SIGINT, SIG_DFL);
     signal(SIGPIPE, SIG_DFL);
@@ -129,8 +127,7 @@ static void become_worker(const Helper *helper, const WireOrder *order, const in
     for (int i = 0; i < order->workers; i++)
         if (i != index)
             close(pipes[i]);
-    Worker worker = {.scene = helper->scene, .order = order, .index = index, .helper = helper->pid};
-    worker_run(&worker, pipes[index]);
+    worker_run(&(Worker){.scene = helper->scene, .order = order, .index = index}, pipes[index]);
 }
 
 static void tell_end(Helper *helper, const Child *child, int status)

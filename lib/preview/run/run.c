@@ -213,7 +213,6 @@ RunStatus run_poll(Run *run)
     }
     bool all_done = read_parts(run);
     if (!run_look_for_failure(run, all_done) && all_done) {
-        run->seconds = clock_seconds() - run->started;
         run_describe_oddities(run);
         run->status.state = RUN_DONE;
         run->status.news = true;

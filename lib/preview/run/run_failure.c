@@ -13,33 +13,14 @@
 #define MOST_PLACES     16
 #define LONGEST_LOOK_UP 1.0 // s
 
-static void read_answer(const char *text, SourcePlace *place)
-{
-    SourcePlace places[MOST_PLACES];
-    int count = crash_places(text, places, MOST_PLACES);
-    for (int i = 0; i < count && place->line == 0; i++)
-        if (strcmp(places[i].file, place->file) == 0)
-            *place = places[i];
-}
-
-// The last that failed was to get memory.
-static bool was_refused(const Run *run)
-{
-    return run->crash.at.reason == ENOMEM;
-}
-
-// Filling much memory takes time: patience may end before the memory does. A picture has photons of its own.
-static bool is_out_of_memory(const Run *run)
-{
-    unsigned long long most = (unsigned long long)WORKER_MEMORY_GB << 20;
-    bool grown = run->crash.grown_kb > (run->stuck ? most / 4 : most / 8 * 7);
-    return was_refused(run) || (run->request.kind != RUN_RENDER && grown);
-}
-
 // What the dying process wrote down.
 static Fault fault_of(const Run *run)
 {
     const WireCrash *crash = &run->crash;
+    const unsigned long long most = (unsigned long long)WORKER_MEMORY_GB << 20;
+    bool refused = crash->at.reason == ENOMEM; // the last that failed was to get memory
+    // Filling much memory takes time: patience may end before the memory does. A picture has photons of its own.
+    bool grown = run->request.kind != RUN_RENDER && crash->grown_kb > (run->stuck ? most / 4 : most / 8 * 7);
     Fault fault = {.kind = FAULT_SIGNAL,
                    .signal = crash->at.signal,
                    .address = crash->at.address,
@@ -50,19 +31,23 @@ static Fault fault_of(const Run *run)
         fault.kind = FAULT_EXIT;
     else if (crash->at.stack_far)
         fault.kind = FAULT_STACK;
-    else if (is_out_of_memory(run))
+    else if (refused || grown)
         fault.kind = FAULT_MEMORY;
     else if (run->stuck)
         fault.kind = FAULT_LOOP;
     else if (crash->at.signal == SIGABRT)
         fault.kind = FAULT_ABORT;
-    if (run->stuck && !was_refused(run))
+    if (run->stuck && !refused)
         fault.memory_gb = (double)crash->grown_kb / (1024.0 * 1024.0);
     if (!crash->inner.object[0])
         return fault;
-    fault_source_name(crash->inner.object, fault.place.file, sizeof fault.place.file);
-    snprintf(fault.place.function, sizeof fault.place.function, "%s", crash->inner.symbol);
-    read_answer(run->found, &fault.place);
+    SourcePlace places[MOST_PLACES], *place = &fault.place;
+    int count = crash_places(run->found, places, MOST_PLACES);
+    fault_source_name(crash->inner.object, place->file, sizeof place->file);
+    snprintf(place->function, sizeof place->function, "%s", crash->inner.symbol);
+    for (int i = 0; i < count && place->line == 0; i++)
+        if (strcmp(places[i].file, place->file) == 0)
+            *place = places[i];
     return fault;
 }
 

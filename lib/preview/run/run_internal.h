@@ -68,7 +68,7 @@ struct Run {
     RunRequest request;
     int part_count;
     Part parts[MOST_WORKERS];
-    double patience, started, seconds;
+    double patience, started;
     double polled; // when the window looked last
     RunStatus status;
     bool out_of_memory;

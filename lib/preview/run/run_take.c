@@ -181,7 +181,7 @@ static bool join(Run *run, WireKind kind, bool take, Buffer *whole)
 }
 
 // False: memory is short; what there was memory for is in it.
-static bool fill_in(Run *run, bool take, double seconds, Recording *recording)
+static bool fill_in(Run *run, bool take, Recording *recording)
 {
     Buffer photons = {NULL, 0, 0}, legs = {NULL, 0, 0};
     bool ok = join(run, WIRE_PHOTONS, take, &photons) && join(run, WIRE_LEGS, take, &legs);
@@ -190,7 +190,7 @@ static bool fill_in(Run *run, bool take, double seconds, Recording *recording)
     recording->legs = (PathLeg *)(void *)legs.bytes;
     recording->leg_count = legs.size / sizeof *recording->legs;
     recording->recorded = run->request.recorded < run->request.photons ? run->request.recorded : run->request.photons;
-    recording->seconds = seconds;
+    recording->seconds = clock_seconds() - run->started;
     recording_measure(recording);
     return ok;
 }
@@ -201,7 +201,7 @@ Recording run_take_recording(Run *run)
     if (run->status.state != RUN_DONE || run->request.kind != RUN_PHOTONS)
         return recording;
     sum_up(run, &recording);
-    fill_in(run, true, run->seconds, &recording);
+    fill_in(run, true, &recording);
     return recording;
 }
 
@@ -212,7 +212,7 @@ bool run_copy_partial(Run *run, Recording *recording)
     if (run->status.state != RUN_GOING || run->failing || run->request.kind != RUN_PHOTONS ||
         first->found[WIRE_PHOTONS].size == 0) // the first part's books are in by then
         return false;
-    if (!fill_in(run, false, clock_seconds() - run->started, recording)) {
+    if (!fill_in(run, false, recording)) {
         recording_free(recording);
         return false;
     }

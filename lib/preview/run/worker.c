@@ -1,4 +1,4 @@
-#define _GNU_SOURCE // RLIMIT_…, prctl
+#define _GNU_SOURCE // RLIMIT_…
 #include "preview/run/worker.h"
 #include "preview/record/fault.h"
 #include "base/parallel.h"
@@ -12,10 +12,6 @@
 #include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
-
-#if defined(__linux__)
-#include <sys/prctl.h>
-#endif
 
 #if defined(__SANITIZE_ADDRESS__)
 #define SANITIZED 1
@@ -139,11 +135,6 @@ static void set_limits(const Worker *worker)
 
 void worker_run(Worker *worker, int pipe)
 {
-#if defined(__linux__)
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != worker->helper) // it was gone before that
-        _exit(1);
-#endif
     window = pipe;
     parallel_limit(1); // the threads of a process do not live on in a fork
     set_limits(worker);

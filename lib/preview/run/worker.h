@@ -5,13 +5,10 @@
 #include "preview/run/wire.h"
 #include "render/render.h"
 
-#include <sys/types.h>
-
 typedef struct {
     const Scene *scene;
     const WireOrder *order;
-    int index;    // of order->workers
-    pid_t helper; // whose end is the worker's
+    int index; // of order->workers
     StepChoice play;
     PhotonPass pass; // what it has counted: its books
     int bounces;     // the most that a photon had met
@@ -26,9 +23,6 @@ bool worker_work(Worker *worker, Error *error);
 bool worker_estimates(Worker *worker, Error *error);
 bool worker_disks(Worker *worker, Error *error);
 bool worker_render(Worker *worker, Error *error); // of no number of passes: goes on until it is killed
-
-// A picture of this size, with the scene's own settings where the request has none.
-RenderOptions worker_options(const Worker *worker, int width, int height);
 
 // Everything behind one head. Ends the process when the window no longer listens.
 void worker_send(WireKind kind, const void *bytes, size_t size);
