@@ -51,12 +51,14 @@ void session_end(Session *session)
     watch_stop(session->watch);
 }
 
-static void fault(Session *session, const char *text)
+bool session_tell(char *kept, size_t size, const char *text)
 {
-    if (strcmp(session->fault, text) == 0)
-        return;
-    snprintf(session->fault, sizeof session->fault, "%s", text);
-    puts(text);
+    if (strcmp(kept, text) == 0)
+        return false;
+    snprintf(kept, size, "%s", text);
+    if (text[0])
+        puts(kept);
+    return true;
 }
 
 // A save: its objects are there, so ask again for everything that the student's code made.
@@ -87,7 +89,7 @@ static bool poll_watch(Session *session)
     if (event == WATCH_FAILED) {
         session->fault[0] = '\0'; // the same mistake after another save is told again
         session->behind = true;
-        fault(session, session->build);
+        session_tell(session->fault, sizeof session->fault, session->build);
         coach_note_broken(&session->coach, watch_step(session->watch), session->build);
         return true;
     }
@@ -112,9 +114,7 @@ static void tell_if_not_played(Session *session, const Recording *recording)
 
 static void take_photons(Session *session, const RunStatus *status)
 {
-    if (strcmp(session->notice, status->notice) != 0 && status->notice[0])
-        puts(status->notice);
-    snprintf(session->notice, sizeof session->notice, "%s", status->notice);
+    session_tell(session->notice, sizeof session->notice, status->notice);
     const Recording *recording = view_data_recording(session->data[YOURS]);
     tell_if_not_played(session, recording);
     coach_note_states(&session->coach, recording->states);
@@ -144,7 +144,7 @@ static void run_failed(Session *session, RunKind kind, int player, const char *f
     const char *broken = session->watch ? watch_broken(session->watch) : "";
     char text[sizeof session->fault];
     snprintf(text, sizeof text, "%s%s%s", broken, broken[0] ? "\nas it was before: " : "", failure);
-    fault(session, text);
+    session_tell(session->fault, sizeof session->fault, text);
     session->behind = session->behind || (kind == RUN_PHOTONS && player == YOURS);
 }
 

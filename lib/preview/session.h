@@ -89,6 +89,8 @@ void session_stop_render(Session *session);
 void session_choose_way(Session *session); // as flags say, or else the scene and its stage
 // A scene's file that was written anew, or one of its meshes, is loaded anew. True: something to see.
 bool session_look_at_scene(Session *session);
+// Prints and keeps what is not kept yet: the same mistake is told once. True: it is new.
+bool session_tell(char *kept, size_t size, const char *text);
 bool session_is_faulty(const Session *session); // something is said in the banner
 // Another way to make a picture.
 void session_next_way(Session *session);

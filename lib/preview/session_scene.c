@@ -27,16 +27,6 @@ void session_choose_way(Session *session)
     session->asked.spectral = options->spectral || session->stage == 6;
 }
 
-// The same mistake is told once.
-static bool refuse(Session *session, const char *why)
-{
-    if (strcmp(session->scene_fault, why) == 0)
-        return false;
-    snprintf(session->scene_fault, sizeof session->scene_fault, "%s", why);
-    puts(session->scene_fault);
-    return true;
-}
-
 // All that was made of the old one goes. False: memory is short, and nothing has changed.
 static bool put_in_place(Session *session, Scene *scene, Broker *broker)
 {
@@ -63,7 +53,7 @@ static bool take_scene(Session *session)
     Error error = {""};
     Scene *scene = scene_load(session->scene_path, &error);
     if (!scene)
-        return refuse(session, error.message);
+        return session_tell(session->scene_fault, sizeof session->scene_fault, error.message);
     for (int kind = 0; kind < RUN_KINDS; kind++)
         for (int i = 0; i < PLAYERS; i++) // before the fork, which would keep their pipes
             session_drop(session, (RunKind)kind, i);
@@ -71,7 +61,8 @@ static bool take_scene(Session *session)
     if (!broker || !put_in_place(session, scene, broker)) {
         broker_stop(broker);
         scene_free(scene);
-        return refuse(session, broker ? "not enough memory for the scene" : error.message);
+        return session_tell(session->scene_fault, sizeof session->scene_fault,
+                            broker ? "not enough memory for the scene" : error.message);
     }
     session->scene_fault[0] = session->notice[0] = '\0';
     session_choose_way(session);

@@ -32,8 +32,7 @@ typedef GLFWwindow Window;
 // to install), no OpenGL 3.3.
 Window *window_create(const char *title, int width, int height, Error *error);
 void window_free(Window *window);
-float window_scale(
-    Window *window); // of words, on this monitor: 1 where they are as large as a screen of 96 dots an inch has them
+float window_scale(Window *window); // of words, on this monitor: 1 where they are as large as at 96 dots an inch
 
 GlLoader window_loader(void); // of the context that is present
 

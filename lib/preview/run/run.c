@@ -83,12 +83,10 @@ static bool begin(Run *run, Error *error)
     }
     WireOrder order = {.run = run->number, .workers = run->part_count, .request = run->request};
     snprintf(order.code, sizeof order.code, "%s", run->request.code ? run->request.code : "");
-    bool ok =
-        opened == run->part_count
-            ? broker_send(run->broker, &order, write_ends) ||
-                  error_set(error,
-                            "the preview's helper process is gone; if it does not come back, start the preview again")
-            : error_set(error, "no pipe for a worker: %s", strerror(errno));
+    bool ok = opened == run->part_count || error_set(error, "no pipe for a worker: %s", strerror(errno));
+    if (ok && !broker_send(run->broker, &order, write_ends))
+        ok =
+            error_set(error, "the preview's helper process is gone; if it does not come back, start the preview again");
     for (int i = 0; i < opened; i++)
         close(write_ends[i]); // the worker's end alone keeps the pipe open
     return ok;

@@ -33,8 +33,7 @@ typedef struct {
     const char *code;   // folder of the student's objects; NULL: the reference plays everything
     bool play_is_given; // otherwise step_choice_for_student()
     StepChoice play;
-    bool
-        spectral; // photons of single wavelengths, whatever the choice; the scene's key, too, asks for them where none is given
+    bool spectral; // photons of single wavelengths, whatever the choice; where none is given, by the scene's key, too
     uint64_t seed;
     // RUN_PHOTONS
     long photons;  // to emit

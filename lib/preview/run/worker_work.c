@@ -119,18 +119,7 @@ static bool trace_photons(Worker *worker, Error *error)
     return true;
 }
 
-static LobeSample draw_sample(const RunRequest *request, Vec3 incoming, Vec3 normal, long i)
-{
-    Rng rng = rng_create(request->seed, (uint64_t)i);
-    LobeSample sample = {{0.0f, 0.0f, 0.0f}, 1.0f};
-    if (request->diffuse)
-        sample.direction = steps.scatter_diffuse(normal, &rng);
-    else if (!steps.scatter_glossy(incoming, normal, request->exponent, &rng, &sample.direction, &sample.weight))
-        sample.weight = 0.0f;
-    return sample;
-}
-
-static bool draw_samples(Worker *worker, Error *error)
+static bool draw_lobe(Worker *worker, Error *error)
 {
     (void)error;
     const RunRequest *request = &worker->order->request;
@@ -139,7 +128,13 @@ static bool draw_samples(Worker *worker, Error *error)
     LobeSample batch[BATCH];
     size_t count = 0;
     for (long i = 0; i < request->samples; i++) {
-        batch[count++] = draw_sample(request, incoming, normal, i);
+        Rng rng = rng_create(request->seed, (uint64_t)i);
+        LobeSample *sample = &batch[count++];
+        *sample = (LobeSample){{0.0f, 0.0f, 0.0f}, 1.0f};
+        if (request->diffuse)
+            sample->direction = steps.scatter_diffuse(normal, &rng);
+        else if (!steps.scatter_glossy(incoming, normal, request->exponent, &rng, &sample->direction, &sample->weight))
+            sample->weight = 0.0f;
         worker_beat((double)(i + 1) / (double)request->samples);
         if (count == BATCH || i + 1 == request->samples)
             flush(WIRE_FINDINGS, batch, sizeof batch[0], &count);
@@ -150,7 +145,7 @@ static bool draw_samples(Worker *worker, Error *error)
 bool worker_work(Worker *worker, Error *error)
 {
     static bool (*const WORK[])(Worker *, Error *) = {[RUN_PHOTONS] = trace_photons,
-                                                      [RUN_LOBE] = draw_samples,
+                                                      [RUN_LOBE] = draw_lobe,
                                                       [RUN_ESTIMATES] = worker_estimates,
                                                       [RUN_DISKS] = worker_disks,
                                                       [RUN_RENDER] = worker_render};

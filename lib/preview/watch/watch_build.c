@@ -111,14 +111,6 @@ static void describe_line(const char *found, const char *file, char *line, size_
         snprintf(line, size, "%s%s%.*s", is_source ? "" : file, is_source ? "" : ": ", (int)(end - name), name);
 }
 
-static WatchEvent remove_object(Watch *watch, size_t i, const char *object)
-{
-    if (unlink(object) != 0 && errno == ENOENT)
-        return WATCH_NOTHING;
-    snprintf(watch->message, sizeof watch->message, "%s.c: deleted; the reference plays in its place", name_of(i));
-    return WATCH_BUILT;
-}
-
 WatchEvent watch_begin_build(Watch *watch, size_t i)
 {
     char source[4096], object[4096];
@@ -127,8 +119,12 @@ WatchEvent watch_begin_build(Watch *watch, size_t i)
     watch->files[i].dirty = false;
     watch->files[i].error[0] = '\0';
     watch_look_at(watch, i); // what is built, even if it was seen half-written before
-    if (access(source, F_OK) != 0)
-        return remove_object(watch, i, object);
+    if (access(source, F_OK) != 0) {
+        if (unlink(object) != 0 && errno == ENOENT)
+            return WATCH_NOTHING;
+        snprintf(watch->message, sizeof watch->message, "%s.c: deleted; the reference plays in its place", name_of(i));
+        return WATCH_BUILT;
+    }
     watch->building = i;
     make_folder_of(object);
     if (job_start(&watch->compiler, watch->command, source, object))
