@@ -82,7 +82,7 @@ static void list_faults(const Session *session, char *text, size_t size)
             text_append(text, size, "%s%s", text[0] ? "\n" : "", lines[i]);
 }
 
-// Of a run that renders, or the one before it, as sRGB, in memory of its own. None: there is nothing yet, or memory is short.
+// What a run renders, or the one before it did, as sRGB in memory of its own. None: nothing yet, or memory is short.
 static Picture picture_of(const Session *session, int player)
 {
     const Run *run = session->runs[RUN_RENDER][player];

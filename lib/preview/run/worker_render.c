@@ -1,5 +1,5 @@
-// Pictures by the student's steps, and what can be seen of how they are made, in small ones by the scene's own camera: estimates of
-// irradiance (stage 4), disks that shrink (stage 5).
+// Pictures by the student's steps, and what can be seen of how they are made, in small ones by the scene's own camera:
+// estimates of irradiance (stage 4), disks that shrink (stage 5).
 #include "preview/run/worker.h"
 #include "render/passes/pass_file.h"
 

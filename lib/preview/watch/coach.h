@@ -1,5 +1,5 @@
-// The coach: how the steps are coming on: each save is judged, one at a time, and one step is the present one. The window's panel
-// and the browser's show it.
+// The coach: how the steps are coming on: each save is judged, one at a time, and one step is the present one. The
+// window's panel and the browser's show it.
 #ifndef PHOTONLAB_PREVIEW_COACH_H
 #define PHOTONLAB_PREVIEW_COACH_H
 
