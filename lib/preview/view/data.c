@@ -10,9 +10,8 @@ ViewData *view_data_create(Canvas *canvas, const Scene *scene)
         return NULL;
     data->canvas = canvas;
     data->scene = scene;
-    data->recordings = 1; // the empty one
     for (int i = 0; i < VIEW_COUNT; i++)
-        if (!(data->found[i] = calloc(1, view_types[i]->found_size + 1))) {
+        if (!(data->made[i].found = calloc(1, view_types[i]->found_size + 1))) {
             view_data_free(data);
             return NULL;
         }
@@ -23,13 +22,14 @@ void view_data_free(ViewData *data)
 {
     if (!data)
         return;
-    vertex_buffer_free(data->canvas, &data->wires.buffer);
+    vertex_buffer_free(data->canvas, &data->wires);
     for (int i = 0; i < VIEW_COUNT; i++) {
-        for (int j = 0; j < 2; j++)
-            vertex_buffer_free(data->canvas, &data->caches[i][j].buffer);
-        if (data->found[i] && view_types[i]->free_found)
-            view_types[i]->free_found(data->found[i]);
-        free(data->found[i]);
+        Made *made = &data->made[i];
+        for (int j = 0; j < MOST_LISTS; j++)
+            vertex_buffer_free(data->canvas, &made->lists[j]);
+        if (made->found && view_types[i]->free_found)
+            view_types[i]->free_found(made->found);
+        free(made->found);
     }
     recording_free(&data->recording);
     for (int i = 0; i < RUN_RENDER; i++)
@@ -67,7 +67,7 @@ void view_data_record(ViewData *data, Recording recording)
 {
     recording_free(&data->recording);
     data->recording = recording;
-    data->recordings++;
+    data->come[RUN_PHOTONS]++;
     data->power = bright_power(&recording);
 }
 
@@ -80,5 +80,5 @@ void view_data_find(ViewData *data, RunKind kind, Findings findings)
 {
     findings_free(&data->findings[kind]);
     data->findings[kind] = findings;
-    data->finds[kind]++;
+    data->come[kind]++;
 }

@@ -1,10 +1,9 @@
-// Lists of vertices, and buffers that remember what they were made of.
+// Lists of vertices.
 #include "preview/view/view_internal.h"
 
 #include "base/array.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #define CIRCLE_PARTS 64
 
@@ -14,20 +13,20 @@ void vertices_free(Vertices *list)
     *list = (Vertices){.items = NULL};
 }
 
-bool vertices_reserve(Vertices *list, size_t more)
+static bool reserve(Vertices *list, size_t more)
 {
     return array_reserve(&list->items, list->count + more, &list->capacity, sizeof *list->items);
 }
 
 void vertices_point(Vertices *list, Vec3 at, Rgba colour)
 {
-    if (vertices_reserve(list, 1))
+    if (reserve(list, 1))
         list->items[list->count++] = (Vertex){at.x, at.y, at.z, colour.r, colour.g, colour.b, colour.a};
 }
 
 void vertices_fading(Vertices *list, Vec3 from, Vec3 to, Rgba start, Rgba end)
 {
-    if (!vertices_reserve(list, 2))
+    if (!reserve(list, 2))
         return;
     vertices_point(list, from, start);
     vertices_point(list, to, end);
@@ -57,17 +56,8 @@ void vertices_box(Vertices *list, Box box, Rgba colour)
                 vertices_line(list, box_corner(box, i), box_corner(box, i | axis), colour);
 }
 
-bool cache_is(Cache *cache, const double key[KEY_SIZE])
+void vertices_upload(Vertices *list, Canvas *canvas, VertexBuffer *buffer)
 {
-    if (cache->made && memcmp(cache->key, key, sizeof cache->key) == 0)
-        return true;
-    memcpy(cache->key, key, sizeof cache->key);
-    cache->made = true;
-    return false;
-}
-
-void cache_fill(Canvas *canvas, Cache *cache, Vertices *list)
-{
-    vertex_buffer_upload(canvas, &cache->buffer, list->items, list->count);
+    vertex_buffer_upload(canvas, buffer, list->items, list->count);
     vertices_free(list);
 }

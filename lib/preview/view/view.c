@@ -1,6 +1,8 @@
 // The list of views, and what drawing each of them begins and ends with.
 #include "preview/view/view_internal.h"
 
+#include <string.h>
+
 #define VIEW(kind, name) extern const ViewType view_##name;
 #include "preview/view/views.def"
 #undef VIEW
@@ -113,9 +115,32 @@ float pane_look_at_sheet(const Pane *pane, Box box)
     return (box.high.y - box.low.y) / (2.0f * orbit.distance * tanf(10.0f * PI / 180.0f)) * (float)pane->height;
 }
 
-void pane_draw_cache(const Pane *pane, const Cache *cache, size_t first, size_t count, DrawStyle style)
+void pane_draw(const Pane *pane, int list, DrawStyle style)
 {
-    vertex_buffer_draw(pane->canvas, &cache->buffer, first, count, &style);
+    const VertexBuffer *buffer = &pane->data->made[pane->view->kind].lists[list];
+    vertex_buffer_draw(pane->canvas, buffer, 0, buffer->count, &style);
+}
+
+// Makes the view's vertices, unless there are some of the same data and choices. Only those of photons have the chosen colours,
+// and lie where they are in flight.
+static void make(const View *view, ViewData *data)
+{
+    const ViewType *type = view_type(view);
+    Made *made = &data->made[view->kind];
+    double key[5 + MOST_SETTINGS] = {1 + data->come[type->shows], data->recording.play.glossy};
+    if (type->shows == RUN_PHOTONS) {
+        key[2] = view->colour;
+        key[3] = view->flight;
+        key[4] = view->flight < 0.0 ? 0.0 : (double)view->most_points;
+    }
+    memcpy(key + 5, view->settings[view->kind], sizeof view->settings[view->kind]);
+    if (memcmp(key, made->key, sizeof key) == 0)
+        return;
+    memcpy(made->key, key, sizeof key);
+    Vertices lists[MOST_LISTS] = {{.items = NULL}};
+    type->build(view, data, lists);
+    for (int i = 0; i < MOST_LISTS; i++)
+        vertices_upload(&lists[i], data->canvas, &made->lists[i]);
 }
 
 // As large as it fits.
@@ -128,7 +153,7 @@ static void draw_picture(const Pane *pane, const Picture *picture)
                    down, picture->rgba, picture->columns, picture->rows);
 }
 
-static void pane_draw(const Pane *pane, const Picture *picture)
+static void draw_half(const Pane *pane, const Picture *picture)
 {
     const ViewType *type = view_type(pane->view);
     if (picture->rgba && picture->columns > 0 && picture->rows > 0) {
@@ -137,6 +162,7 @@ static void pane_draw(const Pane *pane, const Picture *picture)
     }
     if (pane->view->wireframe && type->place == IN_THE_SCENE)
         wireframe_draw(pane, type->wires);
+    make(pane->view, pane->data);
     type->draw(pane);
 }
 
@@ -167,12 +193,12 @@ void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *refe
     Pane pane = {canvas,      yours->scene,       view, yours, area.left, area.top, split ? area.width / 2 : area.width,
                  area.height, point_scale(canvas)};
     canvas_begin(canvas, (Rgba){7, 9, 14, 255});
-    pane_draw(&pane, &captions->pictures[0]);
+    draw_half(&pane, &captions->pictures[0]);
     if (split) {
         pane.data = reference;
         pane.left += pane.width;
         pane.width = area.width - pane.width;
-        pane_draw(&pane, &captions->pictures[1]);
+        draw_half(&pane, &captions->pictures[1]);
         canvas_rectangle(canvas, (float)pane.left - 1, 0, 2, (float)area.height, (Rgba){110, 120, 140, 255});
     }
     overlay_draw(canvas, view, yours, captions);

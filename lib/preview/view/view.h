@@ -65,6 +65,7 @@ void view_data_find(ViewData *data, RunKind kind, Findings findings); // takes t
 
 typedef struct Pane Pane;
 typedef struct Legend Legend;
+typedef struct Vertices Vertices;
 
 // One view; the list of them is views.def. What may be left out says so.
 typedef struct {
@@ -79,14 +80,16 @@ typedef struct {
     bool in_flight;                      // shows photons on their way: slow light has a meaning
     RunKind shows;                       // RUN_PHOTONS, or the findings that it needs
     ViewSetting settings[MOST_SETTINGS]; // those with a flag; may be none
-    void (*draw)(const Pane *pane);
+    // What is shown, as lists of vertices; again when there is other data, or other settings, colours or flight.
+    void (*build)(const View *view, ViewData *data, Vertices *lists);
+    void (*draw)(const Pane *pane); // these lists
     // Lines about what is shown: "photon 17, bounce 2 of 5, red, 0.0012 W". After `draw`.
     void (*describe)(const View *view, const ViewData *data, char *text, size_t size);
     // What the colours mean, by legend_add. NULL: nothing.
     void (*legend)(const View *view, const ViewData *data, Legend *legend);
     // An arrow: `step` is 1 or −1, `sideways` for ←/→. NULL: there is nothing to choose.
     void (*choose)(View *view, const ViewData *data, bool sideways, int step);
-    size_t found_size;               // of what `draw` finds out: ViewData.found, zeroed at first; may be 0
+    size_t found_size;               // of what `build` finds out: Made.found, zeroed at first; may be 0
     void (*free_found)(void *found); // of memory in there; may be NULL
 } ViewType;
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 enum { CIRCLES };      // settings: drawn
-enum { LINES, DOTS };  // caches
+enum { LINES, DOTS };  // lists
 #define ACCURACY 0.25f // of irradiance_cache: within this part of its reach an estimate serves
 #define NORMAL   0.35f // of the circle's radius
 
@@ -23,12 +23,12 @@ static bool is_sound(const IrradianceEstimate *e)
     return e->reach > 0.0f && isfinite(e->reach) && isfinite(vec3_dot(e->position, e->normal));
 }
 
-static void build(ViewData *data)
+static void build(const View *view, ViewData *data, Vertices *lists)
 {
+    (void)view;
     const Findings *found = &data->findings[RUN_ESTIMATES];
     const IrradianceEstimate *estimates = found->items;
     float full = full_irradiance(estimates, found->count);
-    Vertices lines = {.items = NULL}, dots = {.items = NULL};
     for (size_t i = 0; i < found->count; i++) {
         const IrradianceEstimate *e = &estimates[i];
         if (!is_sound(e))
@@ -36,25 +36,19 @@ static void build(ViewData *data)
         Frame frame = frame_about(e->normal);
         Rgba light = rgba_of_power(e->irradiance, full);
         float radius = ACCURACY * e->reach;
-        vertices_circle(&lines, e->position, frame.tangent, frame.bitangent, radius, rgba_fade(light, 0.6f));
-        vertices_fading(&lines, e->position, vec3_along(e->position, e->normal, NORMAL * radius), light,
+        vertices_circle(&lists[LINES], e->position, frame.tangent, frame.bitangent, radius, rgba_fade(light, 0.6f));
+        vertices_fading(&lists[LINES], e->position, vec3_along(e->position, e->normal, NORMAL * radius), light,
                         rgba_fade(light, 0.0f));
-        vertices_point(&dots, e->position, light);
+        vertices_point(&lists[DOTS], e->position, light);
     }
-    cache_fill(data->canvas, &data->caches[VIEW_ESTIMATES][LINES], &lines);
-    cache_fill(data->canvas, &data->caches[VIEW_ESTIMATES][DOTS], &dots);
 }
 
 static void draw(const Pane *pane)
 {
-    ViewData *data = pane->data;
-    Cache *lines = &data->caches[VIEW_ESTIMATES][LINES], *dots = &data->caches[VIEW_ESTIMATES][DOTS];
-    if (!cache_is(lines, (const double[KEY_SIZE]){data->finds[RUN_ESTIMATES]}))
-        build(data);
     pane_look_at_scene(pane);
     if (pane->view->settings[VIEW_ESTIMATES][CIRCLES] == 0.0)
-        pane_draw_cache(pane, lines, 0, lines->buffer.count, (DrawStyle){.kind = DRAW_LINES});
-    pane_draw_cache(pane, dots, 0, dots->buffer.count, (DrawStyle){.point_size = 1.0f + floorf(2.0f * pane->scale)});
+        pane_draw(pane, LINES, (DrawStyle){.kind = DRAW_LINES});
+    pane_draw(pane, DOTS, (DrawStyle){.point_size = 1.0f + floorf(2.0f * pane->scale)});
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
@@ -67,7 +61,7 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
         least = fminf(least, estimates[i].reach);
         most = fmaxf(most, estimates[i].reach);
     }
-    if (data->finds[RUN_ESTIMATES] == 0)
+    if (data->come[RUN_ESTIMATES] == 0)
         snprintf(text, size, "gather rays are on their way");
     else
         snprintf(
@@ -82,6 +76,7 @@ const ViewType view_estimates = {
     .wires = 0.3f,
     .shows = RUN_ESTIMATES,
     .settings = {{.flag = "no-circles", .kind = SETTING_SWITCH, .key = 'v', .words = "circles, or places alone"}},
+    .build = build,
     .draw = draw,
     .describe = describe,
 };

@@ -7,42 +7,39 @@
 #include "preview/view/view.h"
 
 // Vertices on their way to a buffer. Grows; what comes when memory is short is left out.
-typedef struct {
+struct Vertices {
     Vertex *items;
     size_t count, capacity;
-} Vertices;
+};
 
 void vertices_free(Vertices *list);
-bool vertices_reserve(Vertices *list, size_t more);
 void vertices_point(Vertices *list, Vec3 at, Rgba colour);
 void vertices_line(Vertices *list, Vec3 from, Vec3 to, Rgba colour);
 void vertices_fading(Vertices *list, Vec3 from, Vec3 to, Rgba start, Rgba end);
 // A circle of this radius, about the centre, through `across` and `along` (unit, at right angles).
 void vertices_circle(Vertices *list, Vec3 centre, Vec3 across, Vec3 along, float radius, Rgba colour);
 void vertices_box(Vertices *list, Box box, Rgba colour);
-
-// Vertices that are made anew only when something that they depend on has changed: the key.
-#define KEY_SIZE 6
-typedef struct {
-    VertexBuffer buffer;
-    bool made;
-    double key[KEY_SIZE];
-} Cache;
-// True when it was made of this already. Otherwise it counts as made of it from now on.
-bool cache_is(Cache *cache, const double key[KEY_SIZE]);
 // Uploads the vertices, and frees them.
-void cache_fill(Canvas *canvas, Cache *cache, Vertices *list);
+void vertices_upload(Vertices *list, Canvas *canvas, VertexBuffer *buffer);
+
+#define MOST_LISTS 3
+
+// What a view has made of the data.
+typedef struct {
+    double key[5 + MOST_SETTINGS]; // all that it depends on
+    VertexBuffer lists[MOST_LISTS];
+    void *found; // ViewType.found_size bytes
+} Made;
 
 struct ViewData {
     Canvas *canvas;
     const Scene *scene;
     Recording recording;
     Findings findings[RUN_RENDER];
-    int recordings,
-        finds[RUN_RENDER]; // how many there have been: to be part of the keys of what is made of the present one
-    float power;           // W: a bright photon's
-    Cache wires, caches[VIEW_COUNT][2]; // each view's own two
-    void *found[VIEW_COUNT];            // what each view found out: ViewType.found_size bytes
+    int come[RUN_RENDER]; // how many recordings and findings there have been
+    float power;          // W: a bright photon's
+    VertexBuffer wires;
+    Made made[VIEW_COUNT];
 };
 
 // Where one half is drawn.
@@ -62,8 +59,8 @@ void pane_look_at_scene(const Pane *pane);
 float pane_look_at_sheet(const Pane *pane, Box box);
 // Nearer and to the side, as the view says, from where a view with no place in the scene is seen at first.
 void pane_frame(const Framing *framing, Orbit *orbit);
-// Vertices first … first+count−1, as many as there are.
-void pane_draw_cache(const Pane *pane, const Cache *cache, size_t first, size_t count, DrawStyle style);
+// A list of the view's.
+void pane_draw(const Pane *pane, int list, DrawStyle style);
 
 void wireframe_draw(const Pane *pane, float strength); // 0…1
 void wireframe_build(const Scene *scene, Vertices *list);
@@ -77,8 +74,10 @@ double wrap(double value, double low, double high);
 // ---- points ----
 // Factor on colours such that so many photons over so many pixels make a picture of middle brightness.
 float points_exposure(size_t count, float pixels, float point_size);
-// Photons of a cache over so many pixels; `strength` 1: of middle brightness.
-void pane_draw_points(const Pane *pane, const Cache *cache, size_t first, size_t count, float area, float strength);
+// A list's first photons, over so many pixels; `strength` 1: of middle brightness.
+void pane_draw_points(const Pane *pane, int list, size_t count, float area, float strength);
+// How many of so many photons are drawn.
+size_t points_drawn(const View *view, size_t count);
 // Of the scene's photons, pixels that they are spread over.
 float points_area(const Pane *pane);
 Rgba points_colour(const ViewData *data, ColourMode mode, const StoredPhoton *photon);

@@ -2,7 +2,7 @@
 #include "preview/view/view_internal.h"
 #include "base/text.h"
 
-enum { CLOUD, LINES }; // caches; LobeCounts are what is found
+enum { CLOUD, LINES }; // lists; LobeCounts are what is found
 
 #define RINGS  28
 #define SPOKES 48
@@ -85,40 +85,30 @@ static Orbit lobe_orbit(const Pane *pane)
     return orbit;
 }
 
+static void build(const View *view, ViewData *data, Vertices *lists)
+{
+    const double *settings = view->settings[VIEW_LOBE];
+    Lobe lobe = lobe_of((float)settings[LOBE_EXPONENT], (float)settings[LOBE_ANGLE], settings[LOBE_DIFFUSE] != 0.0,
+                        data->recording.play);
+    float noise = 2.0f / sqrtf(LOBE_NEAREST);
+    add_axes(&lobe, &lists[LINES]);
+    add_surface(&lobe, 1.0f, 1.0f, &lists[LINES]);
+    add_surface(&lobe, 1.0f + noise, 0.3f, &lists[LINES]); // where 19 of 20 right samples are at most, by chance
+    lobe_cloud(&lobe, &data->findings[RUN_LOBE], data->made[VIEW_LOBE].found, &lists[CLOUD]);
+}
+
 static void draw(const Pane *pane)
 {
-    ViewData *data = pane->data;
-    const double *settings = pane->view->settings[VIEW_LOBE];
-    float exponent = (float)settings[LOBE_EXPONENT], angle = (float)settings[LOBE_ANGLE];
-    bool diffuse = settings[LOBE_DIFFUSE] != 0.0;
-    StepChoice play = data->recording.play;
-    Cache *cloud = &data->caches[VIEW_LOBE][CLOUD], *lines = &data->caches[VIEW_LOBE][LINES];
-    bool lines_known = cache_is(lines, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy});
-    bool cloud_known =
-        cache_is(cloud, (const double[KEY_SIZE]){exponent, angle, diffuse, play.glossy, data->finds[RUN_LOBE]});
-    if (!lines_known || !cloud_known) {
-        Lobe lobe = lobe_of(exponent, angle, diffuse, play);
-        Vertices list = {.items = NULL};
-        add_axes(&lobe, &list);
-        float noise = 2.0f / sqrtf(LOBE_NEAREST);
-        add_surface(&lobe, 1.0f, 1.0f, &list);
-        add_surface(&lobe, 1.0f + noise, 0.3f, &list); // where 19 of 20 right samples are at most, by chance
-        cache_fill(data->canvas, lines, &list);
-        if (!cloud_known) {
-            lobe_cloud(&lobe, &data->findings[RUN_LOBE], data->found[VIEW_LOBE], &list);
-            cache_fill(data->canvas, cloud, &list);
-        }
-    }
     Orbit orbit = lobe_orbit(pane);
     pane_look(pane, &orbit, (Box){{-2, -2, -2}, {2, 2, 2}}, 0, 0);
-    pane_draw_cache(pane, cloud, 0, cloud->buffer.count, (DrawStyle){.point_size = fmaxf(pane->scale - 0.5f, 1.0f)});
-    pane_draw_cache(pane, lines, 0, lines->buffer.count, (DrawStyle){.kind = DRAW_LINES});
+    pane_draw(pane, CLOUD, (DrawStyle){.point_size = fmaxf(pane->scale - 0.5f, 1.0f)});
+    pane_draw(pane, LINES, (DrawStyle){.kind = DRAW_LINES});
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
 {
     const double *settings = view->settings[VIEW_LOBE];
-    const LobeCounts *counts = data->found[VIEW_LOBE];
+    const LobeCounts *counts = data->made[VIEW_LOBE].found;
     size_t count = data->findings[RUN_LOBE].count;
     bool diffuse = settings[LOBE_DIFFUSE] != 0.0;
     const char *step = diffuse ? "1.3" : data->recording.play.glossy == GLOSSY_PHONG ? "2.4" : "2.3";
@@ -167,6 +157,7 @@ const ViewType view_lobe = {
         {[LOBE_EXPONENT] = {.flag = "exponent", .kind = SETTING_NUMBER, .start = 20, .high = 1e6},
          [LOBE_ANGLE] = {.flag = "angle", .kind = SETTING_NUMBER, .start = 45, .high = 89.9},
          [LOBE_DIFFUSE] = {.flag = "diffuse", .kind = SETTING_SWITCH, .key = 'd', .words = "glossy or diffuse step"}},
+    .build = build,
     .draw = draw,
     .describe = describe,
     .legend = legend,

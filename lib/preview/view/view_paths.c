@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 enum { PATH, BOUNCE }; // settings: the chosen path, −1: all alike; of it, legs up to this one are bright, −1: all
-enum { LINES };        // caches
+enum { LINES, CHOSEN, ENDS }; // lists: all paths; the chosen one, and where its legs end
 
 #define DIM 0.18f // of the other paths, beside the chosen one
 
@@ -98,61 +98,56 @@ static size_t present_leg(const View *view, size_t count)
     return bounce < 0.0 || bounce >= (double)count ? count - 1 : (size_t)bounce;
 }
 
-static void draw_chosen(const Pane *pane, const PathLeg *legs, size_t count)
+static void build_chosen(const View *view, const ViewData *data, const PathLeg *legs, size_t count, Vertices *lists)
 {
-    const View *view = pane->view;
     bool chosen = view->settings[VIEW_PATHS][BOUNCE] >= 0.0;
     size_t shown = present_leg(view, count) + 1;
-    Vertices lines = {.items = NULL}, dots = {.items = NULL};
     for (size_t i = 0; i < count; i++) {
-        Rgba colour = leg_colour(pane->data, view->colour, &legs[i]);
+        Rgba colour = leg_colour(data, view->colour, &legs[i]);
         colour.a = 255;
         bool present = chosen && i + 1 == shown;
         if (!present && chosen)
             colour = rgba_fade(colour, i < shown ? 0.75f : 0.22f);
-        add_leg(&lines, &legs[i], colour, view->flight);
+        add_leg(&lists[CHOSEN], &legs[i], colour, view->flight);
         if (i < shown && leg_flown(&legs[i], view->flight) > 0.0f) {
-            vertices_point(&dots, legs[i].from, i == 0 ? COLOUR_OF_LIGHTS : (Rgba){255, 255, 255, 220});
+            vertices_point(&lists[ENDS], legs[i].from, i == 0 ? COLOUR_OF_LIGHTS : (Rgba){255, 255, 255, 220});
             if (legs[i].end != LEG_ESCAPED && leg_flown(&legs[i], view->flight) >= 1.0f)
-                vertices_point(&dots, legs[i].to, (Rgba){255, 255, 255, 220});
+                vertices_point(&lists[ENDS], legs[i].to, (Rgba){255, 255, 255, 220});
         }
         if (present)
-            add_leg(&lines, &legs[i], (Rgba){255, 255, 255, 90}, view->flight);
+            add_leg(&lists[CHOSEN], &legs[i], (Rgba){255, 255, 255, 90}, view->flight);
     }
-    Box box = bvh_bounds(pane->scene->bvh);
-    DrawStyle line = {.kind = DRAW_LINES};
-    for (int i = 0; i < 4 && lines.count; i++) { // twice as wide, whichever way it runs
-        pane_look(pane, &view->orbit, box, i & 1 ? 0.5f : -0.5f, i & 2 ? 0.5f : -0.5f);
-        canvas_draw(pane->canvas, lines.items, lines.count, &line);
+}
+
+static void build(const View *view, ViewData *data, Vertices *lists)
+{
+    const Recording *recording = &data->recording;
+    size_t count;
+    for (size_t i = 0; i < recording->leg_count; i++) {
+        const PathLeg *leg = &recording->legs[i];
+        Rgba colour = rgba_fade(leg_colour(data, view->colour, leg), length_share(data, leg));
+        add_leg(&lists[LINES], leg, colour, view->flight);
     }
-    pane_look(pane, &view->orbit, box, 0, 0);
-    if (dots.count)
-        canvas_draw(pane->canvas, dots.items, dots.count, &(DrawStyle){.point_size = floorf(4.0f * pane->scale)});
-    vertices_free(&lines);
-    vertices_free(&dots);
+    const PathLeg *legs = path_legs(recording, (long)view->settings[VIEW_PATHS][PATH], &count);
+    build_chosen(view, data, legs, count, lists);
 }
 
 static void draw(const Pane *pane)
 {
-    ViewData *data = pane->data;
     const View *view = pane->view;
-    const Recording *recording = &data->recording;
-    size_t count = 0;
-    const PathLeg *chosen = path_legs(recording, (long)view->settings[VIEW_PATHS][PATH], &count);
-    Cache *lines = &data->caches[VIEW_PATHS][LINES];
-    if (!cache_is(lines, (const double[KEY_SIZE]){data->recordings, view->colour, view->flight})) {
-        Vertices list = {.items = NULL};
-        for (size_t i = 0; i < recording->leg_count; i++) {
-            const PathLeg *leg = &recording->legs[i];
-            add_leg(&list, leg, rgba_fade(leg_colour(data, view->colour, leg), length_share(data, leg)), view->flight);
-        }
-        cache_fill(pane->canvas, lines, &list);
-    }
+    const Recording *recording = &pane->data->recording;
+    size_t count;
+    bool chosen = path_legs(recording, (long)view->settings[VIEW_PATHS][PATH], &count);
     float opacity = lines_opacity(pane, recording->leg_count) * (chosen ? DIM : 1.0f);
     pane_look_at_scene(pane);
-    pane_draw_cache(pane, lines, 0, lines->buffer.count, (DrawStyle){.kind = DRAW_LINES, .opacity = opacity});
-    if (chosen)
-        draw_chosen(pane, chosen, count);
+    pane_draw(pane, LINES, (DrawStyle){.kind = DRAW_LINES, .opacity = opacity});
+    Box box = bvh_bounds(pane->scene->bvh);
+    for (int i = 0; i < 4; i++) { // twice as wide, whichever way it runs
+        pane_look(pane, &view->orbit, box, i & 1 ? 0.5f : -0.5f, i & 2 ? 0.5f : -0.5f);
+        pane_draw(pane, CHOSEN, (DrawStyle){.kind = DRAW_LINES});
+    }
+    pane_look_at_scene(pane);
+    pane_draw(pane, ENDS, (DrawStyle){.point_size = floorf(4.0f * pane->scale)});
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
@@ -169,7 +164,7 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
         snprintf(text, size, "photon %ld: no path", path);
         return;
     }
-    static const char *const ENDS[] = {"lands", "meets a lamp", "leaves the scene"};
+    static const char *const FATES[] = {"lands", "meets a lamp", "leaves the scene"};
     size_t present = present_leg(view, count);
     const PathLeg *leg = &legs[present];
     snprintf(
@@ -177,7 +172,7 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
         "photon %ld, leg %zu of %zu: after %u bounce%s, %s, %.3g W\nred %.3g, green %.3g, blue %.3g W\n%s after %.3g m",
         path, present + 1, count, leg->bounce, leg->bounce == 1 ? "" : "s", photon_colour_name(leg->colour),
         (double)colour_sum(leg->power), (double)leg->power.r, (double)leg->power.g, (double)leg->power.b,
-        ENDS[leg->end <= LEG_ESCAPED ? leg->end : 0], (double)(leg->flown + leg_length(leg)));
+        FATES[leg->end <= LEG_ESCAPED ? leg->end : 0], (double)(leg->flown + leg_length(leg)));
 }
 
 static void choose(View *view, const ViewData *data, bool sideways, int step)
@@ -199,6 +194,7 @@ const ViewType view_paths = {
     .in_flight = true,
     .settings = {{.flag = "path", .kind = SETTING_WHOLE, .start = -1, .low = 0, .high = MOST_PHOTONS},
                  {.flag = "bounce", .kind = SETTING_WHOLE, .start = -1, .low = 0, .high = MOST_DEPTH}},
+    .build = build,
     .draw = draw,
     .describe = describe,
     .legend = legend_of_legs,

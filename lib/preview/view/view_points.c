@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-enum { POINTS }; // caches
+enum { POINTS }; // lists
 
 #define MIDDLE_BRIGHTNESS 0.42f // that so many photons over so many pixels add up to
 #define LEAST_EXPOSURE    0.035f
@@ -21,12 +21,16 @@ static float points_size(size_t count, float pixels, float scale)
     return fminf(fmaxf(size, 1.0f), 2.0f + scale);
 }
 
-void pane_draw_points(const Pane *pane, const Cache *cache, size_t first, size_t count, float area, float strength)
+void pane_draw_points(const Pane *pane, int list, size_t count, float area, float strength)
 {
-    float size = points_size(count, area, pane->scale);
-    pane_draw_cache(
-        pane, cache, first, count,
-        (DrawStyle){.additive = true, .exposure = strength * points_exposure(count, area, size), .point_size = size});
+    float size = points_size(count, area, pane->scale), exposure = strength * points_exposure(count, area, size);
+    vertex_buffer_draw(pane->canvas, &pane->data->made[pane->view->kind].lists[list], 0, count,
+                       &(DrawStyle){.additive = true, .exposure = exposure, .point_size = size});
+}
+
+size_t points_drawn(const View *view, size_t count)
+{
+    return view->most_points > 0 && view->most_points < count ? view->most_points : count;
 }
 
 float points_area(const Pane *pane)
@@ -54,33 +58,24 @@ Rgba points_colour(const ViewData *data, ColourMode mode, const StoredPhoton *ph
     return rgba_of_power(photon->power, data->power);
 }
 
-// The first photons as vertices: of light in flight, those that have flown no farther.
-static void build(ViewData *data, const View *view, size_t count)
+// Of light in flight, only the photons drawn are there; else all, and a first part of them is drawn.
+static void build(const View *view, ViewData *data, Vertices *lists)
 {
-    Vertices list = {.items = NULL};
-    vertices_reserve(&list, count);
+    const Recording *recording = &data->recording;
+    bool flying = view->flight >= 0.0;
+    size_t count = flying ? points_drawn(view, recording->count) : recording->count;
     for (size_t i = 0; i < count; i++) {
-        const RecordedPhoton *photon = &data->recording.photons[i];
-        if (view->flight < 0.0 || (double)photon->flown <= view->flight)
-            vertices_point(&list, photon->at.position, points_colour(data, view->colour, &photon->at));
+        const RecordedPhoton *photon = &recording->photons[i];
+        if (!flying || (double)photon->flown <= view->flight)
+            vertices_point(&lists[POINTS], photon->at.position, points_colour(data, view->colour, &photon->at));
     }
-    cache_fill(data->canvas, &data->caches[VIEW_POINTS][POINTS], &list);
 }
 
 static void draw(const Pane *pane)
 {
-    ViewData *data = pane->data;
-    const View *view = pane->view;
-    size_t count = data->recording.count, most = view->most_points;
-    size_t drawn = most > 0 && most < count ? most : count;
-    bool flying = view->flight >= 0.0;
-    Cache *points = &data->caches[VIEW_POINTS][POINTS];
-    // In flight, only the photons drawn are there; else all, and a first part of them is drawn.
-    if (!cache_is(points,
-                  (const double[KEY_SIZE]){data->recordings, view->colour, view->flight, flying * (double)drawn}))
-        build(data, view, flying ? drawn : count);
+    size_t drawn = points_drawn(pane->view, pane->data->recording.count);
     pane_look_at_scene(pane);
-    pane_draw_points(pane, points, 0, drawn, points_area(pane), view_brightness(view));
+    pane_draw_points(pane, POINTS, drawn, points_area(pane), view_brightness(pane->view));
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
@@ -101,6 +96,7 @@ const ViewType view_points = {
     .place = IN_THE_SCENE,
     .wires = 0.75f,
     .in_flight = true,
+    .build = build,
     .draw = draw,
     .describe = describe,
     .legend = legend_of_photons,

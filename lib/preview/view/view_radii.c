@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 enum { PASS };  // settings: after so many
-enum { DISKS }; // caches
+enum { DISKS }; // lists
 
 // From red, as at first, to blue, a fifth of that and less.
 static Rgba colour_of(float radius, float first)
@@ -14,34 +14,28 @@ static Rgba colour_of(float radius, float first)
     return palette_hue(0.66f * shrunk);
 }
 
-static void build(ViewData *data, int pass)
-{
-    const Findings *found = &data->findings[RUN_DISKS];
-    const ShrinkingDisk *disks = found->items;
-    Vertices list = {.items = NULL};
-    for (size_t i = 0; i < found->count; i++) {
-        float radius = disks[i].radius[pass], first = disks[i].radius[0];
-        Frame frame = frame_about(disks[i].normal);
-        if (radius > 0.0f && isfinite(radius) && first > 0.0f)
-            vertices_circle(&list, disks[i].position, frame.tangent, frame.bitangent, radius, colour_of(radius, first));
-    }
-    cache_fill(data->canvas, &data->caches[VIEW_RADII][DISKS], &list);
-}
-
 static int pass_of(const View *view)
 {
     return (int)fmin(view->settings[VIEW_RADII][PASS], DISK_PASSES);
 }
 
+static void build(const View *view, ViewData *data, Vertices *lists)
+{
+    const Findings *found = &data->findings[RUN_DISKS];
+    const ShrinkingDisk *disks = found->items;
+    for (size_t i = 0; i < found->count; i++) {
+        float radius = disks[i].radius[pass_of(view)], first = disks[i].radius[0];
+        Frame frame = frame_about(disks[i].normal);
+        if (radius > 0.0f && isfinite(radius) && first > 0.0f)
+            vertices_circle(&lists[DISKS], disks[i].position, frame.tangent, frame.bitangent, radius,
+                            colour_of(radius, first));
+    }
+}
+
 static void draw(const Pane *pane)
 {
-    ViewData *data = pane->data;
-    Cache *disks = &data->caches[VIEW_RADII][DISKS];
-    int pass = pass_of(pane->view);
-    if (!cache_is(disks, (const double[KEY_SIZE]){data->finds[RUN_DISKS], pass}))
-        build(data, pass);
     pane_look_at_scene(pane);
-    pane_draw_cache(pane, disks, 0, disks->buffer.count, (DrawStyle){.kind = DRAW_LINES});
+    pane_draw(pane, DISKS, (DrawStyle){.kind = DRAW_LINES});
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
@@ -54,7 +48,7 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
         least = fminf(least, disks[i].radius[pass]);
         most = fmaxf(most, disks[i].radius[pass]);
     }
-    if (data->finds[RUN_DISKS] == 0)
+    if (data->come[RUN_DISKS] == 0)
         snprintf(text, size, "the passes are on their way");
     else if (!(most > 0.0f))
         snprintf(text, size, "no photons, no radii");
@@ -87,6 +81,7 @@ const ViewType view_radii = {
     .wires = 0.3f,
     .shows = RUN_DISKS,
     .settings = {{.flag = "pass", .kind = SETTING_WHOLE, .start = 16, .low = 0, .high = DISK_PASSES}},
+    .build = build,
     .draw = draw,
     .describe = describe,
     .legend = legend,

@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { SURFACE }; // settings: its number, −1: the one with the most arrivals
-enum { SHEET };   // caches: its edges, then the photons on it
+enum { SURFACE };         // settings: its number, −1: the one with the most arrivals
+enum { EDGES, ARRIVALS }; // lists
 typedef struct {
-    int looked_at, busiest;       // the recording that was searched, and its surface
-    size_t arrivals, first_point; // vertices before this one are edges
+    int surface; // that is shown, −1: none
+    Box box;     // of its sheet
 } Found;
 
 #define LOOKED_AT 30000 // photons, when the busiest surface is looked for
@@ -67,12 +67,12 @@ int screen_busiest(const Scene *scene, const Recording *recording)
     return best;
 }
 
-// The one that is shown, −1: none.
-static int surface_shown(const View *view, const ViewData *data)
+// NULL: there is none.
+static const Flat *flat_shown(const ViewData *data)
 {
-    const Found *found = data->found[VIEW_SCREEN];
-    int surface = (int)view->settings[VIEW_SCREEN][SURFACE];
-    return surface >= 0 ? surface : found->busiest;
+    const Found *found = data->made[VIEW_SCREEN].found;
+    bool known = found->surface >= 0 && (size_t)found->surface < data->scene->flat_count;
+    return known ? &data->scene->flats[found->surface] : NULL;
 }
 
 // Lying on the plane z = 0, the longer edge to the right, the middle at the origin.
@@ -95,71 +95,59 @@ static Vec3 sheet_point(const Sheet *sheet, float u, float v)
     return vec3_add(vec3_scale(sheet->u, u - 0.5f), vec3_scale(sheet->v, v - 0.5f));
 }
 
-static void build(ViewData *data, ColourMode mode, const Flat *flat)
+static void build(const View *view, ViewData *data, Vertices *lists)
 {
-    Found *found = data->found[VIEW_SCREEN];
-    Vertices list = {.items = NULL};
+    Found *found = data->made[VIEW_SCREEN].found;
+    int wanted = (int)view->settings[VIEW_SCREEN][SURFACE];
+    *found = (Found){wanted < 0 ? screen_busiest(data->scene, &data->recording) : wanted, box_empty()};
+    const Flat *flat = flat_shown(data);
+    if (!flat)
+        return;
     Sheet sheet = sheet_of(flat);
-    Rgba edge = {150, 160, 180, 255};
     Vec3 corners[4] = {sheet_point(&sheet, 0, 0), sheet_point(&sheet, 1, 0), sheet_point(&sheet, 1, 1),
                        sheet_point(&sheet, 0, 1)};
+    for (int i = 0; i < 4; i++)
+        box_add_point(&found->box, corners[i]);
     int count = flat->is_triangle ? 3 : 4;
     if (flat->is_triangle)
         corners[2] = corners[3];
     for (int i = 0; i < count; i++)
-        vertices_line(&list, corners[i], corners[(i + 1) % count], edge);
-    found->first_point = list.count;
+        vertices_line(&lists[EDGES], corners[i], corners[(i + 1) % count], (Rgba){150, 160, 180, 255});
     float tolerance = 1e-4f * box_diagonal(bvh_bounds(data->scene->bvh)), u, v;
     for (size_t i = 0; i < data->recording.count; i++) {
         const StoredPhoton *photon = &data->recording.photons[i].at;
         if (screen_place(flat, (uint8_t)flat->material, photon, tolerance, &u, &v))
-            vertices_point(&list, sheet_point(&sheet, u, v), points_colour(data, mode, photon));
+            vertices_point(&lists[ARRIVALS], sheet_point(&sheet, u, v), points_colour(data, view->colour, photon));
     }
-    found->arrivals = list.count - found->first_point;
-    cache_fill(data->canvas, &data->caches[VIEW_SCREEN][SHEET], &list);
 }
 
 static void draw(const Pane *pane)
 {
-    ViewData *data = pane->data;
-    const View *view = pane->view;
-    Found *found = data->found[VIEW_SCREEN];
-    if (view->settings[VIEW_SCREEN][SURFACE] < 0.0 && (found->looked_at != data->recordings || data->recordings == 0)) {
-        found->busiest = screen_busiest(data->scene, &data->recording);
-        found->looked_at = data->recordings;
-    }
-    int surface = surface_shown(view, data);
-    if (surface < 0 || (size_t)surface >= data->scene->flat_count)
+    const Made *made = &pane->data->made[VIEW_SCREEN];
+    if (!flat_shown(pane->data))
         return;
-    const Flat *flat = &data->scene->flats[surface];
-    Cache *cache = &data->caches[VIEW_SCREEN][SHEET];
-    if (!cache_is(cache, (const double[KEY_SIZE]){data->recordings, view->colour, surface}))
-        build(data, view->colour, flat);
-    Sheet sheet = sheet_of(flat);
-    Box box = box_empty();
-    for (int i = 0; i < 4; i++)
-        box_add_point(&box, sheet_point(&sheet, (float)(i & 1), (float)(i >> 1)));
+    Box box = ((const Found *)made->found)->box;
     float high = pane_look_at_sheet(pane, box);
-    pane_draw_cache(pane, cache, 0, found->first_point, (DrawStyle){.kind = DRAW_LINES});
+    pane_draw(pane, EDGES, (DrawStyle){.kind = DRAW_LINES});
     float area = high * high * (box.high.x - box.low.x) / (box.high.y - box.low.y);
-    size_t drawn = view->most_points && view->most_points < found->arrivals ? view->most_points : found->arrivals;
-    pane_draw_points(pane, cache, found->first_point, drawn, area, view_brightness(view));
+    size_t drawn = points_drawn(pane->view, made->lists[ARRIVALS].count);
+    pane_draw_points(pane, ARRIVALS, drawn, area, view_brightness(pane->view));
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
 {
     const Scene *scene = data->scene;
-    int surface = surface_shown(view, data);
-    if (surface < 0 || (size_t)surface >= scene->flat_count) {
+    const Made *made = &data->made[VIEW_SCREEN];
+    const Flat *flat = flat_shown(data);
+    int surface = ((const Found *)made->found)->surface;
+    if (!flat) {
         snprintf(text, size, surface < 0 ? "no photon has landed on a flat surface" : "the scene has %zu flat surfaces",
                  scene->flat_count);
         return;
     }
-    const Flat *flat = &scene->flats[surface];
     float across = vec3_length(flat->edge_u), along = vec3_length(flat->edge_v);
     snprintf(text, size, "surface %d, %s, %.3g x %.3g m: %zu photons%s", surface, scene->materials[flat->material].name,
-             (double)fmaxf(across, along), (double)fminf(across, along),
-             ((const Found *)data->found[VIEW_SCREEN])->arrivals,
+             (double)fmaxf(across, along), (double)fminf(across, along), made->lists[ARRIVALS].count,
              view->settings[VIEW_SCREEN][SURFACE] < 0.0 ? " (the busiest)" : "");
 }
 
@@ -175,6 +163,7 @@ const ViewType view_screen = {
     .arrows = "surface",
     .place = ON_A_SHEET,
     .settings = {{.flag = "surface", .kind = SETTING_WHOLE, .start = -1, .low = 0, .high = 1e9}},
+    .build = build,
     .draw = draw,
     .describe = describe,
     .legend = legend_of_photons,

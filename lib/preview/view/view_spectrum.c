@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 enum { MATERIAL }; // settings: its number, −1: all
-enum { BARS };     // caches
+enum { BARS };     // lists
 
 #define BANDS_OF_BIN  3 // as photons keep their wavelengths
 #define BINS          ((256 - BAND_FIRST) / BANDS_OF_BIN)
@@ -54,41 +54,35 @@ static void measure(const ViewData *data, int material, Found *found)
         found->highest = fmax(found->highest, found->flux[bin] / BIN_WIDTH);
 }
 
-static void build(ViewData *data, const Found *found)
+static void build(const View *view, ViewData *data, Vertices *lists)
 {
-    Vertices list = {.items = NULL};
+    Found *found = data->made[VIEW_SPECTRUM].found;
+    Vertices *bars = &lists[BARS];
     Rgba edge = {150, 160, 180, 255};
-    vertices_line(&list, vec3(-0.5f, 0, 0), vec3(0.5f, 0, 0), edge);
+    measure(data, material_shown(view), found);
+    vertices_line(bars, vec3(-0.5f, 0, 0), vec3(0.5f, 0, 0), edge);
     for (int nm = 400; nm <= 700; nm += 50) { // marks below the bars
         float x = ((float)nm - WAVELENGTH_FIRST) / WAVELENGTH_RANGE - 0.5f;
-        vertices_line(&list, vec3(x, 0, 0), vec3(x, -0.02f, 0), edge);
+        vertices_line(bars, vec3(x, 0, 0), vec3(x, -0.02f, 0), edge);
     }
     for (int i = 0; i < BINS * LINES_OF_BIN && found->highest > 0.0; i++) {
         float place = ((float)i + 0.5f) / (BINS * LINES_OF_BIN);
         double density = found->flux[i / LINES_OF_BIN] / BIN_WIDTH;
         float height = HEIGHT_TO_ONE * (float)fmax(density / found->highest, 0.0);
         Rgba hue = palette_photon(band_of_wavelength(WAVELENGTH_FIRST + place * WAVELENGTH_RANGE));
-        vertices_line(&list, vec3(place - 0.5f, 0, 0), vec3(place - 0.5f, height, 0), hue);
+        vertices_line(bars, vec3(place - 0.5f, 0, 0), vec3(place - 0.5f, height, 0), hue);
     }
-    cache_fill(data->canvas, &data->caches[VIEW_SPECTRUM][BARS], &list);
 }
 
 static void draw(const Pane *pane)
 {
-    ViewData *data = pane->data;
-    int material = material_shown(pane->view);
-    Cache *bars = &data->caches[VIEW_SPECTRUM][BARS];
-    if (!cache_is(bars, (const double[KEY_SIZE]){data->recordings, material})) {
-        measure(data, material, data->found[VIEW_SPECTRUM]);
-        build(data, data->found[VIEW_SPECTRUM]);
-    }
     pane_look_at_sheet(pane, (Box){{-0.5f, -0.05f, 0}, {0.5f, HEIGHT_TO_ONE, 0}});
-    pane_draw_cache(pane, bars, 0, bars->buffer.count, (DrawStyle){.kind = DRAW_LINES});
+    pane_draw(pane, BARS, (DrawStyle){.kind = DRAW_LINES});
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
 {
-    const Found *found = data->found[VIEW_SPECTRUM];
+    const Found *found = data->made[VIEW_SPECTRUM].found;
     int material = material_shown(view);
     bool known = material >= 0 && (size_t)material < data->scene->material_count;
     if (found->photons == 0)
@@ -116,6 +110,7 @@ const ViewType view_spectrum = {
     .arrows = "material",
     .place = ON_A_SHEET,
     .settings = {{.flag = "lands-on", .kind = SETTING_WHOLE, .start = -1, .low = 0, .high = MAX_MATERIALS}},
+    .build = build,
     .draw = draw,
     .describe = describe,
     .legend = legend,

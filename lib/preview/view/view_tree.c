@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 enum { LEVEL };         // settings: depth of the cells
-enum { BOXES, POINTS }; // caches
+enum { BOXES, POINTS }; // lists
 typedef struct {
     PhotonMap *map; // NULL: there is none
     int recording;  // that it is of
@@ -46,63 +46,52 @@ static PhotonMap *build_map(const Recording *recording)
     return photons ? photon_map_build(photons, count, &error) : NULL;
 }
 
-static void build(ViewData *data, int level)
-{
-    Found *found = data->found[VIEW_TREE];
-    Vertices boxes = {.items = NULL}, points = {.items = NULL};
-    const StoredPhoton *photon = photon_map_photons(found->map);
-    found->level = level;
-    found->cells = (size_t)1 << level;
-    found->largest = 0;
-    vertices_reserve(&points, photon_map_count(found->map));
-    for (size_t i = 0; i < found->cells; i++) {
-        size_t count;
-        Box box = tree_cell(found->map, level, i, &count);
-        Rgba hue = palette_hue(GOLDEN * (float)i);
-        if (count)
-            vertices_box(&boxes, box, hue);
-        for (size_t p = 0; p < count; p++)
-            vertices_point(&points, (photon++)->position, hue);
-        found->largest = count > found->largest ? count : found->largest;
-    }
-    cache_fill(data->canvas, &data->caches[VIEW_TREE][BOXES], &boxes);
-    cache_fill(data->canvas, &data->caches[VIEW_TREE][POINTS], &points);
-}
-
 static void free_found(void *found)
 {
     if (((Found *)found)->map)
         photon_map_free(((Found *)found)->map);
 }
 
-static void draw(const Pane *pane)
+static void build(const View *view, ViewData *data, Vertices *lists)
 {
-    ViewData *data = pane->data;
-    Found *found = data->found[VIEW_TREE];
-    if (!found->map || found->recording != data->recordings) {
+    Found *found = data->made[VIEW_TREE].found;
+    if (!found->map || found->recording != data->come[RUN_PHOTONS]) {
         free_found(found);
-        found->map = build_map(&data->recording);
-        found->recording = data->recordings;
+        *found = (Found){.map = build_map(&data->recording), .recording = data->come[RUN_PHOTONS]};
     }
     if (!found->map)
         return;
-    int level = (int)fmin(pane->view->settings[VIEW_TREE][LEVEL], tree_depth(found->map));
-    Cache *boxes = &data->caches[VIEW_TREE][BOXES], *points = &data->caches[VIEW_TREE][POINTS];
-    if (!cache_is(boxes, (const double[KEY_SIZE]){data->recordings, level}))
-        build(data, level);
-    size_t lines = boxes->buffer.count;
+    const StoredPhoton *photon = photon_map_photons(found->map);
+    found->level = (int)fmin(view->settings[VIEW_TREE][LEVEL], tree_depth(found->map));
+    found->cells = (size_t)1 << found->level;
+    found->largest = 0;
+    for (size_t i = 0; i < found->cells; i++) {
+        size_t count;
+        Box box = tree_cell(found->map, found->level, i, &count);
+        Rgba hue = palette_hue(GOLDEN * (float)i);
+        if (count)
+            vertices_box(&lists[BOXES], box, hue);
+        for (size_t p = 0; p < count; p++)
+            vertices_point(&lists[POINTS], (photon++)->position, hue);
+        found->largest = count > found->largest ? count : found->largest;
+    }
+}
+
+static void draw(const Pane *pane)
+{
+    const VertexBuffer *lists = pane->data->made[VIEW_TREE].lists;
     float area = points_area(pane);
+    float strength = fminf(fmaxf(40.0f * sqrtf(area) / ((float)lists[BOXES].count + 1.0f), 0.1f), 0.6f);
     pane_look_at_scene(pane);
     // The photons lie in the order of cells: no first part of them is a fair sample, so all are drawn.
-    pane_draw_points(pane, points, 0, points->buffer.count, area, 0.6f);
-    float strength = fminf(fmaxf(40.0f * sqrtf(area) / ((float)lines + 1.0f), 0.1f), 0.6f);
-    pane_draw_cache(pane, boxes, 0, lines, (DrawStyle){.kind = DRAW_LINES, .additive = true, .exposure = strength});
+    pane_draw_points(pane, POINTS, lists[POINTS].count, area, 0.6f);
+    pane_draw(pane, BOXES, (DrawStyle){.kind = DRAW_LINES, .additive = true, .exposure = strength});
 }
 
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
 {
     (void)view;
-    const Found *found = data->found[VIEW_TREE];
+    const Found *found = data->made[VIEW_TREE].found;
     if (!found->map)
         snprintf(text, size, "no photons, no tree");
     else
@@ -124,6 +113,7 @@ const ViewType view_tree = {
     .place = IN_THE_SCENE,
     .wires = 0.45f,
     .settings = {{.flag = "level", .kind = SETTING_WHOLE, .start = 8, .low = 0, .high = 30}},
+    .build = build,
     .draw = draw,
     .describe = describe,
     .legend = NULL, // a hue for each cell

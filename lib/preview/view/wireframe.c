@@ -176,12 +176,12 @@ void wireframe_build(const Scene *scene, Vertices *list)
 
 void wireframe_draw(const Pane *pane, float strength)
 {
-    Cache *wires = &pane->data->wires;
-    if (!cache_is(wires, (const double[KEY_SIZE]){0})) {
+    VertexBuffer *wires = &pane->data->wires;
+    if (!wires->array) {
         Vertices list = {.items = NULL};
         wireframe_build(pane->scene, &list);
-        cache_fill(pane->canvas, wires, &list);
+        vertices_upload(&list, pane->canvas, wires);
     }
     pane_look_at_scene(pane);
-    pane_draw_cache(pane, wires, 0, wires->buffer.count, (DrawStyle){.kind = DRAW_LINES, .exposure = strength});
+    vertex_buffer_draw(pane->canvas, wires, 0, wires->count, &(DrawStyle){.kind = DRAW_LINES, .exposure = strength});
 }
