@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#define LINE   LINE_HEIGHT
 #define MARGIN 6.0f
 
 static size_t fitting(const char *text, float scale, float width)
@@ -34,17 +33,14 @@ static void cut_short(char *line, float scale, float width)
 
 int overlay_wrap(const char *text, float scale, float width, int most, char *wrapped, size_t size)
 {
-    int lines = 0;
     size_t used = 0;
-    while (lines < most) {
-        size_t length = fitting(text, scale, width);
-        if (used + length + 4 > size)
-            length = size > used + 4 ? size - used - 4 : 0;
+    for (int lines = 1;; lines++) {
+        size_t length = fitting(text, scale, width), room = size - used - 4;
+        length = length < room ? length : room;
         memcpy(wrapped + used, text, length);
         wrapped[used + length] = '\0';
         text += length;
-        lines++;
-        if (!*text || used + length + 4 >= size)
+        if (!*text || length == room)
             return lines;
         if (lines == most) {
             cut_short(wrapped + used, scale, width);
@@ -54,56 +50,37 @@ int overlay_wrap(const char *text, float scale, float width, int most, char *wra
         used += length;
         wrapped[used++] = '\n';
     }
-    return lines;
 }
 
-static float text_height(const char *text, float scale)
+// Over the picture, so that the panel can still be read; on a dark plate.
+static void draw_help(Canvas *canvas, Area area, float scale, const char *text)
 {
-    int lines = 1;
-    for (; *text; text++)
-        lines += *text == '\n';
-    return (float)lines * LINE * scale;
-}
-
-// Text on a dark plate; (x, y) its top left corner.
-static void draw_plate(Canvas *canvas, float x, float y, float scale, Rgba ink, Rgba plate, const char *text)
-{
-    float margin = MARGIN * scale;
-    canvas_rectangle(canvas, x, y, canvas_text_width(scale, text) + 2.0f * margin,
-                     text_height(text, scale) + 1.4f * margin, plate);
-    canvas_text(canvas, x + margin, y + margin, scale, ink, text);
-}
-
-// Over the picture, so that the panel can still be read.
-static void draw_help(Canvas *canvas, const View *view, float scale, const char *text)
-{
-    float across = (float)view_area(canvas, view).width, down = (float)canvas_height(canvas);
-    while (scale > 0.6f && (canvas_text_width(scale, text) + 3.0f * MARGIN * scale > across ||
-                            text_height(text, scale) + 3.0f * MARGIN * scale > down))
-        scale -= 0.1f;
-    float width = canvas_text_width(scale, text), height = text_height(text, scale);
-    draw_plate(canvas, 0.5f * (across - width) - MARGIN * scale, 0.5f * (down - height) - MARGIN * scale, scale,
-               COLOUR_OF_TEXT, (Rgba){16, 22, 36, 240}, text);
-}
-
-static void draw_title(Canvas *canvas, const Area *area, float share, float scale, const char *title)
-{
-    float width = canvas_text_width(scale, title);
-    canvas_text(canvas, (float)area->left + share * (float)area->width - 0.5f * width,
-                (float)(area->top + area->height) - (LINE + MARGIN) * scale, scale, COLOUR_OF_LIGHTS, title);
+    float across = (float)area.width, down = (float)area.height, lines = 1.0f, width, height, margin;
+    for (const char *at = text; *at; at++)
+        lines += *at == '\n';
+    for (;; scale -= 0.1f) {
+        margin = MARGIN * scale;
+        width = canvas_text_width(scale, text);
+        height = lines * LINE_HEIGHT * scale;
+        if (scale <= 0.6f || (width + 3.0f * margin <= across && height + 3.0f * margin <= down))
+            break;
+    }
+    float left = 0.5f * (across - width), top = 0.5f * (down - height);
+    canvas_rectangle(canvas, left - margin, top - margin, width + 2.0f * margin, height + 1.4f * margin,
+                     (Rgba){16, 22, 36, 240});
+    canvas_text(canvas, left, top, scale, COLOUR_OF_TEXT, text);
 }
 
 void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const Captions *captions)
 {
+    static const char *const TITLES[2] = {"yours", "reference"};
     float scale = view_scale(canvas, view);
     Area area = view_area(canvas, view);
-    if (view->panel <= 0.0f)
-        return;
     panel_draw(canvas, view, yours, captions);
-    if (view->split) {
-        draw_title(canvas, &area, 0.25f, scale, "yours");
-        draw_title(canvas, &area, 0.75f, scale, "reference");
-    }
+    for (int half = 0; half < 2 && view->split; half++)
+        canvas_text(canvas,
+                    (0.25f + 0.5f * (float)half) * (float)area.width - 0.5f * canvas_text_width(scale, TITLES[half]),
+                    (float)area.height - (LINE_HEIGHT + MARGIN) * scale, scale, COLOUR_OF_LIGHTS, TITLES[half]);
     if (view->help && captions->help)
-        draw_help(canvas, view, scale, captions->help);
+        draw_help(canvas, area, scale, captions->help);
 }

@@ -1,6 +1,9 @@
 // Colours and what they stand for.
 #include "preview/view/view_internal.h"
 
+#include <stdarg.h>
+#include <stdio.h>
+
 const Rgba COLOUR_OF_LIGHTS = {255, 220, 80, 255};
 const Rgba COLOUR_OF_TEXT = {232, 236, 242, 255};
 
@@ -79,4 +82,60 @@ Rgba rgba_of_power(Colour power, float full)
     float red = power.r * scale * bright, green = power.g * scale * bright, blue = power.b * scale * bright;
     float more_blue = fmaxf(blue - fmaxf(red, green), 0.0f); // pure blue is too dark on a screen
     return (Rgba){byte_of(red + 0.2f * more_blue), byte_of(green + 0.32f * more_blue), byte_of(blue), 255};
+}
+
+void legend_add(Legend *legend, Rgba colour, const char *format, ...)
+{
+    if (legend->count == MOST_ENTRIES)
+        return;
+    va_list arguments;
+    va_start(arguments, format);
+    legend->entries[legend->count].colour = colour;
+    vsnprintf(legend->entries[legend->count++].text, sizeof legend->entries->text, format, arguments);
+    va_end(arguments);
+}
+
+void list_wavelengths(Legend *legend)
+{
+    for (int nm = 650; nm >= 450; nm -= 50)
+        legend_add(legend, palette_photon(band_of_wavelength((float)nm)), "%d nm", nm);
+}
+
+// Photons may have colours of their own, which show, too.
+static void list_power(const ViewData *data, Legend *legend)
+{
+    static const float PARTS[3] = {1.0f, 0.3f, 0.1f};
+    const Recording *recording = &data->recording;
+    for (int i = 0; i < 3 && recording->count > 0; i++) {
+        float power = PARTS[i] * data->power;
+        legend_add(legend, rgba_of_power(colour_grey(power), data->power), "%.2g W%s", (double)power,
+                   i == 0 ? " or more" : "");
+    }
+    size_t seen[BAND_FIRST] = {0};
+    for (size_t i = 0; i < recording->count && i < 100000; i++)
+        if (recording->photons[i].at.colour < BAND_FIRST)
+            seen[recording->photons[i].at.colour]++;
+    for (int c = RED; c <= BLUE; c++)
+        if (seen[c] > 0)
+            legend_add(legend, rgba_of_power(colour(c == RED, c == GREEN, c == BLUE), 1.0f), "a %s photon",
+                       photon_colour_name(c));
+}
+
+void legend_of_photons(const View *view, const ViewData *data, Legend *legend)
+{
+    bool spectral = data->recording.play.loop == LOOP_WAVELENGTH;
+    const Scene *scene = data->scene;
+    if (view->colour == COLOUR_POWER)
+        list_power(data, legend);
+    if (spectral && (view->colour == COLOUR_POWER || view->colour == COLOUR_PHOTON))
+        list_wavelengths(legend);
+    for (int i = 0; view->colour == COLOUR_PHOTON && !spectral && i < 4; i++)
+        legend_add(legend, palette_photon(i), "%s", photon_colour_name(i));
+    for (int i = 0; view->colour == COLOUR_BOUNCE && i < BOUNCE_COLOURS; i++)
+        legend_add(legend, palette_bounce(i), "%s%d%s", i == 0 ? "bounces " : "", i,
+                   i == BOUNCE_COLOURS - 1 ? " or more" : "");
+    // Rough ones where photons are stored; all where they fly to.
+    for (size_t i = 0; view->colour == COLOUR_MATERIAL && i < scene->material_count; i++)
+        if (view->kind == VIEW_PATHS || material_is_rough(&scene->materials[i]))
+            legend_add(legend, palette_material((int)i), "%.24s", scene->materials[i].name);
 }

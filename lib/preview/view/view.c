@@ -97,7 +97,7 @@ void pane_look(const Pane *pane, const Orbit *orbit, Box box, float right, float
         matrix[4 * i] += 2.0f * right / (float)pane->width * matrix[4 * i + 3];
         matrix[4 * i + 1] -= 2.0f * down / (float)pane->height * matrix[4 * i + 3];
     }
-    canvas_view(pane->canvas, pane->left, pane->top, pane->width, pane->height, matrix);
+    canvas_view(pane->canvas, pane->left, 0, pane->width, pane->height, matrix);
 }
 
 void pane_look_at_scene(const Pane *pane)
@@ -149,8 +149,8 @@ static void draw_picture(const Pane *pane, const Picture *picture)
     float columns = (float)picture->columns, rows = (float)picture->rows;
     float scale = fminf((float)pane->width / columns, (float)pane->height / rows);
     int across = (int)(scale * columns + 0.5f), down = (int)(scale * rows + 0.5f);
-    canvas_picture(pane->canvas, pane->left + (pane->width - across) / 2, pane->top + (pane->height - down) / 2, across,
-                   down, picture->rgba, picture->columns, picture->rows);
+    canvas_picture(pane->canvas, pane->left + (pane->width - across) / 2, (pane->height - down) / 2, across, down,
+                   picture->rgba, picture->columns, picture->rows);
 }
 
 static void draw_half(const Pane *pane, const Picture *picture)
@@ -166,40 +166,41 @@ static void draw_half(const Pane *pane, const Picture *picture)
     type->draw(pane);
 }
 
+// Pixels that words and points have to fit into.
+static float least_side(const Canvas *canvas)
+{
+    return fminf((float)canvas_height(canvas), 0.6f * (float)canvas_width(canvas));
+}
+
 float view_scale(const Canvas *canvas, const View *view)
 {
-    float side = fminf((float)canvas_height(canvas), 0.6f * (float)canvas_width(canvas));
-    return view->scale > 0.0f ? view->scale : fminf(fmaxf(side / 640.0f, 0.7f), 3.0f);
+    return view->scale > 0.0f ? view->scale : fminf(fmaxf(least_side(canvas) / 640.0f, 0.7f), 3.0f);
 }
 
 Area view_area(const Canvas *canvas, const View *view)
 {
     int width = canvas_width(canvas);
     float panel = fminf(view->panel * EM * view_scale(canvas, view), 0.36f * (float)width);
-    return (Area){0, 0, width - (int)panel, canvas_height(canvas)};
-}
-
-// Of points: whole numbers, so that they stay even.
-static float point_scale(const Canvas *canvas)
-{
-    float side = fminf((float)canvas_height(canvas), 0.6f * (float)canvas_width(canvas));
-    return side < 640.0f ? 1.0f : side < 1300.0f ? 2.0f : 3.0f;
+    return (Area){width - (int)panel, canvas_height(canvas)};
 }
 
 void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *reference, const Captions *captions)
 {
     Area area = view_area(canvas, view);
     bool split = view->split && reference;
-    Pane pane = {canvas,      yours->scene,       view, yours, area.left, area.top, split ? area.width / 2 : area.width,
-                 area.height, point_scale(canvas)};
+    float side = least_side(canvas), scale = side < 640.0f    ? 1.0f
+                                             : side < 1300.0f ? 2.0f
+                                                              : 3.0f; // whole: points stay even
+    Pane pane = {canvas, yours->scene, view, yours, 0, split ? area.width / 2 : area.width, area.height, scale};
     canvas_begin(canvas, (Rgba){7, 9, 14, 255});
     draw_half(&pane, &captions->pictures[0]);
     if (split) {
         pane.data = reference;
-        pane.left += pane.width;
-        pane.width = area.width - pane.width;
+        pane.left = pane.width;
+        pane.width = area.width - pane.left;
         draw_half(&pane, &captions->pictures[1]);
         canvas_rectangle(canvas, (float)pane.left - 1, 0, 2, (float)area.height, (Rgba){110, 120, 140, 255});
     }
-    overlay_draw(canvas, view, yours, captions);
+    if (view->panel > 0.0f)
+        overlay_draw(canvas, view, yours, captions);
 }

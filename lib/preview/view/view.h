@@ -112,9 +112,9 @@ static inline float view_brightness(const View *view)
 // Whose mark in the panel stands at this pixel; −1: no step's.
 int panel_step_at(Canvas *canvas, const View *view, float x, float y);
 
-// The pixels of the canvas that the picture has, beside the panel.
+// The pixels of the canvas that the picture has, left of the panel.
 typedef struct {
-    int left, top, width, height;
+    int width, height;
 } Area;
 Area view_area(const Canvas *canvas, const View *view);
 #define FRAMING_DEFAULT ((Framing){1.0f, 0.0f, 0.0f})

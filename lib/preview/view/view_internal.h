@@ -48,8 +48,8 @@ struct Pane {
     const Scene *scene;
     const View *view;
     ViewData *data;
-    int left, top, width, height; // pixels
-    float scale;                  // of points
+    int left, width, height; // pixels; from the canvas's top
+    float scale;             // of points
 };
 
 // Everything is moved by so many pixels: lines drawn twice are twice as wide.
@@ -145,9 +145,8 @@ struct Legend {
 // Those past MOST_ENTRIES are left out.
 void legend_add(Legend *legend, Rgba colour, const char *format, ...) PRINTF_LIKE(3, 4);
 void list_wavelengths(Legend *legend);
-// ViewType.legend of views whose colours are View.colour: photons where they lie, and legs, which fly to any material.
+// ViewType.legend of views whose colours are View.colour.
 void legend_of_photons(const View *view, const ViewData *data, Legend *legend);
-void legend_of_legs(const View *view, const ViewData *data, Legend *legend);
 
 // ---- words ----
 float view_scale(const Canvas *canvas, const View *view);

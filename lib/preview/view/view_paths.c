@@ -39,31 +39,27 @@ static float length_share(const ViewData *data, const PathLeg *leg)
     return fminf(fmaxf(leg_length(leg) / (0.2f * size), 0.12f), 1.0f);
 }
 
-static Rgba leg_colour(const ViewData *data, ColourMode mode, const PathLeg *leg)
+// The material that it flies to: a leg does not say.
+static Rgba colour_ahead(const Scene *scene, const PathLeg *leg)
 {
-    Rgba colour = rgba_of_power(leg->power, data->power);
-    float strength = fmaxf((float)(colour.r > colour.g ? colour.r : colour.g), (float)colour.b) / 255.0f;
-    Hit hit;
     Vec3 way = vec3_sub(leg->to, leg->from);
     float length = vec3_length(way);
-    switch (mode) {
-    case COLOUR_POWER:
-        return colour;
-    case COLOUR_PHOTON:
-        colour = palette_photon(leg->colour);
-        break;
-    case COLOUR_BOUNCE:
-        colour = palette_bounce(leg->bounce);
-        break;
-    case COLOUR_MATERIAL: // that it flies to: a leg does not say
-        colour = (Rgba){90, 96, 110, 255};
-        if (leg->end != LEG_ESCAPED && length > 0.0f) {
-            Ray ray = {vec3_along(leg->from, way, 0.5f), vec3_scale(way, 1.0f / length), NO_PRIMITIVE};
-            if (scene_intersect(data->scene, &ray, &hit))
-                colour = palette_material((int)(hit.material - data->scene->materials));
-        }
-        break;
-    }
+    Ray ray = {vec3_along(leg->from, way, 0.5f), vec3_scale(way, 1.0f / length), NO_PRIMITIVE};
+    Hit hit;
+    if (leg->end == LEG_ESCAPED || !(length > 0.0f) || !scene_intersect(scene, &ray, &hit))
+        return (Rgba){90, 96, 110, 255};
+    return palette_material((int)(hit.material - scene->materials));
+}
+
+static Rgba leg_colour(const ViewData *data, ColourMode mode, const PathLeg *leg)
+{
+    Rgba light = rgba_of_power(leg->power, data->power);
+    if (mode == COLOUR_POWER)
+        return light;
+    float strength = fmaxf((float)(light.r > light.g ? light.r : light.g), (float)light.b) / 255.0f;
+    Rgba colour = mode == COLOUR_PHOTON   ? palette_photon(leg->colour)
+                  : mode == COLOUR_BOUNCE ? palette_bounce(leg->bounce)
+                                          : colour_ahead(data->scene, leg);
     return rgba_fade(colour, 0.35f + 0.65f * strength);
 }
 
@@ -197,6 +193,6 @@ const ViewType view_paths = {
     .build = build,
     .draw = draw,
     .describe = describe,
-    .legend = legend_of_legs,
+    .legend = legend_of_photons,
     .choose = choose,
 };

@@ -45,17 +45,10 @@ float points_area(const Pane *pane)
 
 Rgba points_colour(const ViewData *data, ColourMode mode, const StoredPhoton *photon)
 {
-    switch (mode) {
-    case COLOUR_PHOTON:
-        return palette_photon(photon->colour);
-    case COLOUR_BOUNCE:
-        return palette_bounce(photon->bounce);
-    case COLOUR_MATERIAL:
-        return palette_material(photon->material);
-    case COLOUR_POWER:
-        break;
-    }
-    return rgba_of_power(photon->power, data->power);
+    return mode == COLOUR_PHOTON     ? palette_photon(photon->colour)
+           : mode == COLOUR_BOUNCE   ? palette_bounce(photon->bounce)
+           : mode == COLOUR_MATERIAL ? palette_material(photon->material)
+                                     : rgba_of_power(photon->power, data->power);
 }
 
 // Of light in flight, only the photons drawn are there; else all, and a first part of them is drawn.
