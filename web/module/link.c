@@ -1,7 +1,7 @@
 // What the program finds at run time, and the module has from the start: steps, and the functions of OpenGL.
 #include "web/module/web.h"
 
-#include "preview/draw/gl.h"
+#include "preview/draw/canvas_internal.h"
 
 bool steps_load(const char *student_dir, Error *error)
 {

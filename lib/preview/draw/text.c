@@ -17,7 +17,16 @@
 #endif
 #endif
 
-#define TAB 7.0f // ems between places that a tab goes to
+#define TAB    7.0f // ems between places that a tab goes to
+#define GLYPHS 1024 // that are kept painted; a power of two
+
+typedef struct {
+    uint32_t letter;
+    float scale;
+    unsigned char *cover; // width × height; NULL: not painted yet, or a blank
+    int left, top, width, height;
+    float advance;
+} Glyph;
 
 #ifdef FONT_HEADER
 
@@ -36,20 +45,11 @@
 #endif
 
 #define MOST_FONT_BYTES (16u << 20)
-#define GLYPHS          1024 // that are kept painted; a power of two
 
 static const char *const FONTS[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                                     "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
                                     "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf",
                                     "/System/Library/Fonts/Supplemental/Arial Unicode.ttf"};
-
-typedef struct {
-    uint32_t letter;
-    float scale;
-    unsigned char *cover; // width × height; NULL: not painted yet, or a blank
-    int left, top, width, height;
-    float advance;
-} Glyph;
 
 // One for the whole program, as the system has one.
 static struct {
@@ -75,25 +75,11 @@ bool canvas_has_letters(void)
     return font.state == THERE;
 }
 
-// The next character of UTF-8; what is none, or cannot be shown, is a question mark.
-static uint32_t next_letter(const char **text)
-{
-    const unsigned char *at = (const unsigned char *)*text;
-    int more = at[0] < 0x80 ? 0 : at[0] >= 0xF0 ? 3 : at[0] >= 0xE0 ? 2 : at[0] >= 0xC0 ? 1 : -1;
-    uint32_t letter = more <= 0 ? at[0] : at[0] & (0x3Fu >> more);
-    bool sound = more >= 0;
-    for (int i = 1; i <= more && sound; i++) {
-        sound = (at[i] & 0xC0) == 0x80;
-        letter = letter << 6 | (at[i] & 0x3F);
-    }
-    *text += sound ? more + 1 : 1;
-    bool shown = sound && (letter >= 32 || letter == '\n' || letter == '\t') && letter != 127 &&
-                 (letter < 128 || stbtt_FindGlyphIndex(&font.info, (int)letter) != 0);
-    return shown ? letter : '?';
-}
-
+// A question mark for what the font has not.
 static const Glyph *glyph_of(uint32_t letter, float scale)
 {
+    if (letter >= 128 && stbtt_FindGlyphIndex(&font.info, (int)letter) == 0)
+        letter = '?';
     uint32_t place = (letter * 31 + (uint32_t)(scale * 64.0f)) % GLYPHS;
     Glyph *glyph = &font.glyphs[place];
     if (glyph->letter == letter && glyph->scale == scale)
@@ -109,6 +95,36 @@ static const Glyph *glyph_of(uint32_t letter, float scale)
     if (!glyph->cover)
         glyph->width = glyph->height = 0;
     return glyph;
+}
+
+#else
+
+bool canvas_has_letters(void)
+{
+    return false;
+}
+
+static const Glyph *glyph_of(uint32_t letter, float scale)
+{
+    (void)letter, (void)scale;
+    return NULL;
+}
+
+#endif
+
+// The next character of UTF-8; what is none, or cannot be shown, is a question mark.
+static uint32_t next_letter(const char **text)
+{
+    const unsigned char *at = (const unsigned char *)*text;
+    int more = at[0] < 0x80 ? 0 : at[0] >= 0xF0 ? 3 : at[0] >= 0xE0 ? 2 : at[0] >= 0xC0 ? 1 : -1;
+    uint32_t letter = more <= 0 ? at[0] : at[0] & (0x3Fu >> more);
+    bool sound = more >= 0;
+    for (int i = 1; i <= more && sound; i++) {
+        sound = (at[i] & 0xC0) == 0x80;
+        letter = letter << 6 | (at[i] & 0x3F);
+    }
+    *text += sound ? more + 1 : 1;
+    return sound && (letter >= 32 || letter == '\n' || letter == '\t') && letter != 127 ? letter : '?';
 }
 
 typedef struct {
@@ -171,24 +187,3 @@ float canvas_text_width(float scale, const char *text)
     }
     return widest;
 }
-
-#else
-
-bool canvas_has_letters(void)
-{
-    return false;
-}
-
-Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *text, size_t *count)
-{
-    (void)x, (void)y, (void)scale, (void)colour, (void)text;
-    *count = 0;
-    return NULL;
-}
-
-float canvas_text_width(float scale, const char *text)
-{
-    return 0.5f * EM * scale * (float)strlen(text);
-}
-
-#endif

@@ -4,11 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void library_address_to_function(void *address, void *function)
-{
-    memcpy(function, &address, sizeof address); // POSIX: both kinds of pointer have one size and form
-}
-
 bool library_load(const char *name, const char *const files[], const LibraryFunction *functions, const char **missing)
 {
     const char *hidden = getenv("PHOTONLAB_WITHOUT");
@@ -18,7 +13,7 @@ bool library_load(const char *name, const char *const files[], const LibraryFunc
         library = dlopen(*files, RTLD_NOW | RTLD_LOCAL);
     for (; library && functions->name && !*missing; functions++) {
         void *address = dlsym(library, functions->name);
-        library_address_to_function(address, functions->function);
+        memcpy(functions->function, &address, sizeof address); // POSIX: both kinds of pointer have one size and form
         *missing = address ? NULL : functions->name;
     }
     return library && !*missing;

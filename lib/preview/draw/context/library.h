@@ -15,7 +15,4 @@ typedef struct {
 // environment hides the libraries of these names, so that their absence can be tested.
 bool library_load(const char *name, const char *const files[], const LibraryFunction *functions, const char **missing);
 
-// Puts an address that a library has given into such a pointer: C99 has no cast from one to the other.
-void library_address_to_function(void *address, void *function);
-
 #endif
