@@ -17,29 +17,21 @@ void fault_source_name(const char *path, char *file, size_t size)
 
 static void put_place(const SourcePlace *place, const char *what, char *text, size_t size)
 {
-    char line[32] = "";
+    snprintf(text, size, "%s", place->file);
     if (place->line > 0)
-        snprintf(line, sizeof line, ":%d", place->line);
-    if (!place->file[0])
-        snprintf(text, size, "%s", what);
-    else if (place->function[0])
-        snprintf(text, size, "%s%s: %s: %s", place->file, line, place->function, what);
-    else
-        snprintf(text, size, "%s%s: %s", place->file, line, what);
-}
-
-static void describe_loop(const Fault *fault, char *what, size_t size)
-{
-    snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", fault->patience,
-             fault->run == RUN_PHOTONS     ? "photon"
-             : fault->run == RUN_LOBE      ? "direction"
-             : fault->run == RUN_ESTIMATES ? "batch of estimates"
-             : fault->run == RUN_DISKS     ? "pass"
-                                           : "part of the picture");
+        text_append(text, size, ":%d", place->line);
+    if (place->function[0])
+        text_append(text, size, ": %s", place->function);
+    text_append(text, size, ": %s", what);
 }
 
 void fault_describe_what(const Fault *fault, char *what, size_t size)
 {
+    static const char *const PARTS[] = {[RUN_PHOTONS] = "photon",
+                                        [RUN_LOBE] = "direction",
+                                        [RUN_ESTIMATES] = "batch of estimates",
+                                        [RUN_DISKS] = "pass",
+                                        [RUN_RENDER] = "part of the picture"};
     switch (fault->kind) {
     case FAULT_EXIT:
         snprintf(what, size, "called exit, which ends the whole program");
@@ -54,7 +46,8 @@ void fault_describe_what(const Fault *fault, char *what, size_t size)
             snprintf(what, size, "asked for more than %d GB of memory", WORKER_MEMORY_GB);
         return;
     case FAULT_LOOP:
-        describe_loop(fault, what, size);
+        snprintf(what, size, "ran for %.3g s without finishing a %s; an endless loop?", fault->patience,
+                 PARTS[fault->run]);
         return;
     case FAULT_ABORT:
         snprintf(what, size, "abort() was called (an assertion, or memory freed twice? The terminal may tell)");
@@ -69,8 +62,9 @@ void fault_describe(const Fault *fault, char *text, size_t size)
 {
     char what[256];
     fault_describe_what(fault, what, sizeof what);
-    put_place(&fault->place, what, text, size);
-    if (!fault->place.file[0])
+    if (fault->place.file[0])
+        put_place(&fault->place, what, text, size);
+    else
         snprintf(text, size,
                  "%s, while none of your steps ran: did one write where it must not, or make photons "
                  "without end?",

@@ -44,8 +44,7 @@ static void add_ledger(Ledger *sum, long sum_paths, const Ledger *part, long pat
     for (int c = 0; c < 3; c++) {
         double before = sum->chance[c], own = part->chance[c];
         double squares = part->chance_error[c] * part->chance_error[c] + own * own / (double)paths;
-        if (sum_paths > 0)
-            squares += sum->chance_error[c] * sum->chance_error[c] + before * before / (double)sum_paths;
+        squares += sum->chance_error[c] * sum->chance_error[c] + before * before / fmax((double)sum_paths, 1.0);
         sum->emitted[c] += part->emitted[c];
         sum->absorbed[c] += part->absorbed[c];
         sum->escaped[c] += part->escaped[c];

@@ -47,8 +47,6 @@ size_t verdicts_next(const Verdicts *verdicts)
 
 bool verdicts_all_right(const Verdicts *verdicts)
 {
-    for (size_t i = 0; i < verdicts->count; i++)
-        if (verdicts->steps[i].state != VERDICT_PASS)
-            return false;
-    return true;
+    size_t next = verdicts_next(verdicts);
+    return next == verdicts->present && verdicts->steps[next].state == VERDICT_PASS;
 }

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define MARGIN 0.6f // ems
@@ -76,15 +77,10 @@ static Column column_of(Canvas *canvas, const View *view)
                     scale};
 }
 
-// Steps of its stage that stand before it.
-static int place_in_stage(size_t step)
+// Of the steps of its stage, from 0: that of 1.3 is 2.
+static int place_in_stage(const StepInfo *step)
 {
-    int place = 0;
-    while (step > 0 && step_table[step - 1].stage == step_table[step].stage) {
-        step--;
-        place++;
-    }
-    return place;
+    return atoi(strchr(step->id, '.') + 1) - 1;
 }
 
 int panel_step_at(Canvas *canvas, const View *view, float x, float y)
@@ -93,7 +89,7 @@ int panel_step_at(Canvas *canvas, const View *view, float x, float y)
     float place = floorf(MOST_IN_STAGE * (x - column.left) / column.width);
     float row = floorf((y - column.y) / column.line);
     for (int i = 0; i < STEP_COUNT && view->panel > 0.0f; i++)
-        if (row == (float)(step_table[i].stage - step_table[0].stage) && place == (float)place_in_stage((size_t)i))
+        if (row == (float)(step_table[i].stage - step_table[0].stage) && place == (float)place_in_stage(&step_table[i]))
             return i;
     return -1;
 }
@@ -104,7 +100,7 @@ static void write_marks(Column *column, const Verdicts *verdicts)
     float cell = column->width / MOST_IN_STAGE;
     for (size_t i = 0; i < verdicts->count; i++) {
         const Verdict *verdict = &verdicts->steps[i];
-        int place = place_in_stage(i);
+        int place = place_in_stage(&step_table[i]);
         if (i > 0 && place == 0)
             column->y += column->line;
         Rgba ink = verdict->old || INKS[verdict->state].a == 0 ? DIM : INKS[verdict->state];

@@ -23,13 +23,8 @@ const PathLeg *path_legs(const Recording *recording, long path, size_t *count)
 
 float leg_flown(const PathLeg *leg, double flight)
 {
-    if (flight < 0.0)
-        return 1.0f;
-    double length = (double)leg_length(leg);
-    double flown = flight - (double)leg->flown;
-    if (flown <= 0.0)
-        return 0.0f;
-    return flown >= length ? 1.0f : (float)(flown / length);
+    double flown = (flight - (double)leg->flown) / (double)leg_length(leg);
+    return flight < 0.0 ? 1.0f : (float)fmin(fmax(flown, 0.0), 1.0);
 }
 
 // Many short legs crowd inside a stone: they would drown the rest.

@@ -64,15 +64,12 @@ static void add_flat(EdgeTable *table, const Flat *flat)
     float length = vec3_length(normal);
     normal = length > 0.0f ? vec3_scale(normal, 1.0f / length) : vec3(0, 0, 1);
     Vec3 u = vec3_add(flat->origin, flat->edge_u), v = vec3_add(flat->origin, flat->edge_v);
+    Vec3 far_corner = vec3_add(u, flat->edge_v);
     add_edge(table, flat->origin, u, flat, normal);
     add_edge(table, flat->origin, v, flat, normal);
-    if (flat->is_triangle) {
-        add_edge(table, u, v, flat, normal);
-        return;
-    }
-    Vec3 far_corner = vec3_add(u, flat->edge_v);
-    add_edge(table, u, far_corner, flat, normal);
-    add_edge(table, v, far_corner, flat, normal);
+    add_edge(table, u, flat->is_triangle ? v : far_corner, flat, normal);
+    if (!flat->is_triangle)
+        add_edge(table, v, far_corner, flat, normal);
 }
 
 static Rgba material_line(const Material *material)
@@ -143,22 +140,15 @@ static void add_spot_or_beam(const Light *light, float reach, Vertices *list)
     }
 }
 
+// Rectangles and spheres are drawn as surfaces.
 static void add_light(const Light *light, float reach, Vertices *list)
 {
-    switch (light->type) {
-    case LIGHT_RECTANGLE:
-    case LIGHT_SPHERE:
-        return; // drawn as surfaces
-    case LIGHT_POINT:
-        for (int axis = 0; axis < 3; axis++) {
-            Vec3 way = vec3(reach * (axis == 0), reach * (axis == 1), reach * (axis == 2));
-            vertices_line(list, vec3_sub(light->position, way), vec3_add(light->position, way), COLOUR_OF_LIGHTS);
-        }
-        return;
-    case LIGHT_SPOT:
-    case LIGHT_BEAM:
-        add_spot_or_beam(light, reach, list);
+    for (int axis = 0; axis < 3 && light->type == LIGHT_POINT; axis++) {
+        Vec3 way = vec3(reach * (axis == 0), reach * (axis == 1), reach * (axis == 2));
+        vertices_line(list, vec3_sub(light->position, way), vec3_add(light->position, way), COLOUR_OF_LIGHTS);
     }
+    if (light->type == LIGHT_SPOT || light->type == LIGHT_BEAM)
+        add_spot_or_beam(light, reach, list);
 }
 
 void wireframe_build(const Scene *scene, Vertices *list)
