@@ -53,26 +53,25 @@ static const char *const FONTS[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans
 
 // One for the whole program, as the system has one.
 static struct {
-    enum { NOT_LOOKED_FOR, MISSING, THERE } state;
+    size_t tried; // of FONTS
+    bool found;
     stbtt_fontinfo info;
     Glyph glyphs[GLYPHS];
 } font;
 
 bool canvas_has_letters(void)
 {
-    const char *wish = getenv("PHOTONLAB_WITHOUT");
-    bool refused = wish && strstr(wish, "font");
-    size_t size;
-    for (size_t i = 0; font.state == NOT_LOOKED_FOR && !refused && i < sizeof FONTS / sizeof *FONTS; i++) {
-        unsigned char *bytes = (unsigned char *)file_read(FONTS[i], MOST_FONT_BYTES, &size, NULL);
-        if (bytes && stbtt_InitFont(&font.info, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)))
-            font.state = THERE;
-        else
+    const char *without = getenv("PHOTONLAB_WITHOUT");
+    size_t size, most = sizeof FONTS / sizeof *FONTS;
+    if (without && strstr(without, "font"))
+        font.tried = most;
+    while (!font.found && font.tried < most) {
+        unsigned char *bytes = (unsigned char *)file_read(FONTS[font.tried++], MOST_FONT_BYTES, &size, NULL);
+        font.found = bytes && stbtt_InitFont(&font.info, bytes, stbtt_GetFontOffsetForIndex(bytes, 0));
+        if (!font.found)
             free(bytes);
     }
-    if (font.state == NOT_LOOKED_FOR)
-        font.state = MISSING;
-    return font.state == THERE;
+    return font.found;
 }
 
 // A question mark for what the font has not.

@@ -111,6 +111,5 @@ void lobe_cloud(const Lobe *lobe, const Findings *samples, LobeCounts *counts, V
         Rgba colour = direction.z < 0.0f ? (Rgba){255, 50, 50, 255} : (Rgba){255, 205, 110, 120};
         vertices_point(list, lobe_upright(vec3_scale(direction, far_out)), colour);
     }
-    if (map)
-        photon_map_free(map);
+    photon_map_free(map);
 }

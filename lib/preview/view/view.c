@@ -188,9 +188,8 @@ void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *refe
 {
     Area area = view_area(canvas, view);
     bool split = view->split && reference;
-    float side = least_side(canvas), scale = side < 640.0f    ? 1.0f
-                                             : side < 1300.0f ? 2.0f
-                                                              : 3.0f; // whole: points stay even
+    float side = least_side(canvas);
+    float scale = side < 640.0f ? 1.0f : side < 1300.0f ? 2.0f : 3.0f; // whole: points stay even
     Pane pane = {canvas, yours->scene, view, yours, 0, split ? area.width / 2 : area.width, area.height, scale};
     canvas_begin(canvas, (Rgba){7, 9, 14, 255});
     draw_half(&pane, &captions->pictures[0]);

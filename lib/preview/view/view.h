@@ -89,8 +89,7 @@ typedef struct {
     void (*legend)(const View *view, const ViewData *data, Legend *legend);
     // An arrow: `step` is 1 or −1, `sideways` for ←/→. NULL: there is nothing to choose.
     void (*choose)(View *view, const ViewData *data, bool sideways, int step);
-    size_t found_size;               // of what `build` finds out: Made.found, zeroed at first; may be 0
-    void (*free_found)(void *found); // of memory in there; may be NULL
+    size_t found_size; // of what `build` finds out: Made.found, zeroed at first; may be 0
 } ViewType;
 
 extern const ViewType *const view_types[VIEW_COUNT];

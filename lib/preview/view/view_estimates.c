@@ -18,11 +18,6 @@ static float full_irradiance(const IrradianceEstimate *estimates, size_t count)
     return count ? 2.0f * sum / (float)count : 1.0f;
 }
 
-static bool is_sound(const IrradianceEstimate *e)
-{
-    return e->reach > 0.0f && isfinite(e->reach) && isfinite(vec3_dot(e->position, e->normal));
-}
-
 static void build(const View *view, ViewData *data, Vertices *lists)
 {
     (void)view;
@@ -31,7 +26,7 @@ static void build(const View *view, ViewData *data, Vertices *lists)
     float full = full_irradiance(estimates, found->count);
     for (size_t i = 0; i < found->count; i++) {
         const IrradianceEstimate *e = &estimates[i];
-        if (!is_sound(e))
+        if (!(e->reach > 0.0f && isfinite(e->reach) && isfinite(vec3_dot(e->position, e->normal))))
             continue;
         Frame frame = frame_about(e->normal);
         Rgba light = rgba_of_power(e->irradiance, full);

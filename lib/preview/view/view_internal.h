@@ -35,6 +35,7 @@ struct ViewData {
     Canvas *canvas;
     const Scene *scene;
     Recording recording;
+    PhotonMap *map; // of its photons, once a view has made it; NULL: none
     Findings findings[RUN_RENDER];
     int come[RUN_RENDER]; // how many recordings and findings there have been
     float power;          // W: a bright photon's

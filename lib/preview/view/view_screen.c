@@ -28,16 +28,13 @@ bool screen_place(const Flat *flat, uint8_t material, const StoredPhoton *photon
     return *u >= -slack && *v >= -slack && sum <= 1.0f + slack;
 }
 
-// The flat that a photon lies on: what the ray meets that comes the photon's last small way again.
-static bool landed_on(const Scene *scene, const StoredPhoton *photon, float reach, uint32_t *primitive)
+// What a photon lies on: what the ray meets that comes the photon's last small way again. NO_PRIMITIVE: nothing.
+static uint32_t landed_on(const Scene *scene, const StoredPhoton *photon, float reach)
 {
     Hit hit;
     Vec3 wi = stored_photon_wi(photon);
     Ray ray = {vec3_along(photon->position, wi, reach), vec3_negate(wi), NO_PRIMITIVE};
-    if (!scene_intersect(scene, &ray, &hit) || hit.distance > 2.0f * reach)
-        return false;
-    *primitive = hit.primitive;
-    return true;
+    return scene_intersect(scene, &ray, &hit) && hit.distance <= 2.0f * reach ? hit.primitive : NO_PRIMITIVE;
 }
 
 int screen_busiest(const Scene *scene, const Recording *recording)
@@ -50,21 +47,18 @@ int screen_busiest(const Scene *scene, const Recording *recording)
     size_t wanted = coloured ? coloured : recording->count, stride = wanted / LOOKED_AT + 1, met = 0;
     for (size_t i = 0; landed && i < recording->count; i++) {
         const StoredPhoton *photon = &recording->photons[i].at;
-        uint32_t primitive;
         if ((coloured && photon->colour == WHITE) || met++ % stride != 0)
             continue;
-        if (landed_on(scene, photon, reach, &primitive) && primitive < scene->flat_count)
+        uint32_t primitive = landed_on(scene, photon, reach);
+        if (primitive < scene->flat_count)
             landed[primitive]++;
     }
-    int best = -1;
-    size_t most = 0;
+    size_t best = 0;
     for (size_t i = 0; landed && i < scene->flat_count; i++)
-        if (landed[i] > most) {
-            most = landed[i];
-            best = (int)i;
-        }
+        best = landed[i] > landed[best] ? i : best;
+    int busiest = landed && landed[best] > 0 ? (int)best : -1;
     free(landed);
-    return best;
+    return busiest;
 }
 
 // NULL: there is none.

@@ -20,11 +20,6 @@ typedef struct {
     double highest; // W/nm
 } Found;
 
-static int material_shown(const View *view)
-{
-    return (int)view->settings[VIEW_SPECTRUM][MATERIAL];
-}
-
 // W that the photon carried, by its stored colour: the least squares over the three channels, backwards through what
 // colour_of_flux in photons/pass/trace.c does.
 static double flux_of(const Scene *scene, const StoredPhoton *photon, float wavelength)
@@ -59,7 +54,7 @@ static void build(const View *view, ViewData *data, Vertices *lists)
     Found *found = data->made[VIEW_SPECTRUM].found;
     Vertices *bars = &lists[BARS];
     Rgba edge = {150, 160, 180, 255};
-    measure(data, material_shown(view), found);
+    measure(data, (int)view->settings[VIEW_SPECTRUM][MATERIAL], found);
     vertices_line(bars, vec3(-0.5f, 0, 0), vec3(0.5f, 0, 0), edge);
     for (int nm = 400; nm <= 700; nm += 50) { // marks below the bars
         float x = ((float)nm - WAVELENGTH_FIRST) / WAVELENGTH_RANGE - 0.5f;
@@ -83,7 +78,7 @@ static void draw(const Pane *pane)
 static void describe(const View *view, const ViewData *data, char *text, size_t size)
 {
     const Found *found = data->made[VIEW_SPECTRUM].found;
-    int material = material_shown(view);
+    int material = (int)view->settings[VIEW_SPECTRUM][MATERIAL];
     bool known = material >= 0 && (size_t)material < data->scene->material_count;
     if (found->photons == 0)
         snprintf(text, size, "no photon here has a single wavelength: --spectral gives them one");

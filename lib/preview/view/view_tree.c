@@ -8,8 +8,6 @@
 enum { LEVEL };         // settings: depth of the cells
 enum { BOXES, POINTS }; // lists
 typedef struct {
-    PhotonMap *map; // NULL: there is none
-    int recording;  // that it is of
     int level;
     size_t cells, largest; // how many; photons in the fullest
 } Found;
@@ -46,28 +44,20 @@ static PhotonMap *build_map(const Recording *recording)
     return photons ? photon_map_build(photons, count, &error) : NULL;
 }
 
-static void free_found(void *found)
-{
-    if (((Found *)found)->map)
-        photon_map_free(((Found *)found)->map);
-}
-
 static void build(const View *view, ViewData *data, Vertices *lists)
 {
     Found *found = data->made[VIEW_TREE].found;
-    if (!found->map || found->recording != data->come[RUN_PHOTONS]) {
-        free_found(found);
-        *found = (Found){.map = build_map(&data->recording), .recording = data->come[RUN_PHOTONS]};
-    }
-    if (!found->map)
+    if (!data->map)
+        data->map = build_map(&data->recording);
+    if (!data->map)
         return;
-    const StoredPhoton *photon = photon_map_photons(found->map);
-    found->level = (int)fmin(view->settings[VIEW_TREE][LEVEL], tree_depth(found->map));
+    const StoredPhoton *photon = photon_map_photons(data->map);
+    found->level = (int)fmin(view->settings[VIEW_TREE][LEVEL], tree_depth(data->map));
     found->cells = (size_t)1 << found->level;
     found->largest = 0;
     for (size_t i = 0; i < found->cells; i++) {
         size_t count;
-        Box box = tree_cell(found->map, found->level, i, &count);
+        Box box = tree_cell(data->map, found->level, i, &count);
         Rgba hue = palette_hue(GOLDEN * (float)i);
         if (count)
             vertices_box(&lists[BOXES], box, hue);
@@ -92,11 +82,11 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
 {
     (void)view;
     const Found *found = data->made[VIEW_TREE].found;
-    if (!found->map)
+    if (!data->map)
         snprintf(text, size, "no photons, no tree");
     else
         snprintf(text, size, "kd-tree after %d halvings of at most %d: %zu cell%s, %zu photons in the fullest",
-                 found->level, tree_depth(found->map), found->cells, found->cells == 1 ? "" : "s", found->largest);
+                 found->level, tree_depth(data->map), found->cells, found->cells == 1 ? "" : "s", found->largest);
 }
 
 static void choose(View *view, const ViewData *data, bool sideways, int step)
@@ -119,5 +109,4 @@ const ViewType view_tree = {
     .legend = NULL, // a hue for each cell
     .choose = choose,
     .found_size = sizeof(Found),
-    .free_found = free_found,
 };
