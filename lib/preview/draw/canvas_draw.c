@@ -56,8 +56,6 @@ void vertex_buffer_draw(Canvas *canvas, const VertexBuffer *buffer, size_t first
 
 void canvas_draw(Canvas *canvas, const Vertex *vertices, size_t count, const DrawStyle *style)
 {
-    if (count == 0)
-        return;
     vertex_buffer_upload(canvas, &canvas->stream, vertices, count);
     vertex_buffer_draw(canvas, &canvas->stream, 0, count, style);
 }

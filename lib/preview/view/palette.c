@@ -95,8 +95,9 @@ void legend_add(Legend *legend, Rgba colour, const char *format, ...)
     va_end(arguments);
 }
 
-void list_wavelengths(Legend *legend)
+void legend_of_wavelengths(const View *view, const ViewData *data, Legend *legend)
 {
+    (void)view, (void)data;
     for (int nm = 650; nm >= 450; nm -= 50)
         legend_add(legend, palette_photon(band_of_wavelength((float)nm)), "%d nm", nm);
 }
@@ -128,7 +129,7 @@ void legend_of_photons(const View *view, const ViewData *data, Legend *legend)
     if (view->colour == COLOUR_POWER)
         list_power(data, legend);
     if (spectral && (view->colour == COLOUR_POWER || view->colour == COLOUR_PHOTON))
-        list_wavelengths(legend);
+        legend_of_wavelengths(view, data, legend);
     for (int i = 0; view->colour == COLOUR_PHOTON && !spectral && i < 4; i++)
         legend_add(legend, palette_photon(i), "%s", photon_colour_name(i));
     for (int i = 0; view->colour == COLOUR_BOUNCE && i < BOUNCE_COLOURS; i++)

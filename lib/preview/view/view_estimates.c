@@ -9,27 +9,20 @@ enum { LINES, DOTS };  // lists
 #define ACCURACY 0.25f // of irradiance_cache: within this part of its reach an estimate serves
 #define NORMAL   0.35f // of the circle's radius
 
-// Of the brightest that nine of ten do not exceed.
-static float full_irradiance(const IrradianceEstimate *estimates, size_t count)
-{
-    float sum = 0.0f;
-    for (size_t i = 0; i < count; i++)
-        sum += colour_max(estimates[i].irradiance);
-    return count ? 2.0f * sum / (float)count : 1.0f;
-}
-
 static void build(const View *view, ViewData *data, Vertices *lists)
 {
     (void)view;
     const Findings *found = &data->findings[RUN_ESTIMATES];
     const IrradianceEstimate *estimates = found->items;
-    float full = full_irradiance(estimates, found->count);
+    float sum = 0.0f;
+    for (size_t i = 0; i < found->count; i++)
+        sum += colour_max(estimates[i].irradiance);
     for (size_t i = 0; i < found->count; i++) {
         const IrradianceEstimate *e = &estimates[i];
         if (!(e->reach > 0.0f && isfinite(e->reach) && isfinite(vec3_dot(e->position, e->normal))))
             continue;
         Frame frame = frame_about(e->normal);
-        Rgba light = rgba_of_power(e->irradiance, full);
+        Rgba light = rgba_of_power(e->irradiance, 2.0f * sum / (float)found->count);
         float radius = ACCURACY * e->reach;
         vertices_circle(&lists[LINES], e->position, frame.tangent, frame.bitangent, radius, rgba_fade(light, 0.6f));
         vertices_fading(&lists[LINES], e->position, vec3_along(e->position, e->normal, NORMAL * radius), light,

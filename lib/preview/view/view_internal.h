@@ -145,9 +145,9 @@ struct Legend {
 };
 // Those past MOST_ENTRIES are left out.
 void legend_add(Legend *legend, Rgba colour, const char *format, ...) PRINTF_LIKE(3, 4);
-void list_wavelengths(Legend *legend);
-// ViewType.legend of views whose colours are View.colour.
+// ViewType.legend of views whose colours are View.colour, or wavelengths.
 void legend_of_photons(const View *view, const ViewData *data, Legend *legend);
+void legend_of_wavelengths(const View *view, const ViewData *data, Legend *legend);
 
 // ---- words ----
 float view_scale(const Canvas *canvas, const View *view);

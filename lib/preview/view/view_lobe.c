@@ -69,22 +69,6 @@ static void add_axes(const Lobe *lobe, Vertices *list)
     add_arrow(list, origin, lobe_upright(vec3_scale(mirror, 1.2f)), (Rgba){255, 130, 90, 230});
 }
 
-// Turned as the scene is, but from where the lobe is seen best.
-static Orbit lobe_orbit(const Pane *pane)
-{
-    Orbit start = orbit_of_camera(&pane->scene->camera, bvh_bounds(pane->scene->bvh)), orbit = pane->view->orbit;
-    orbit.yaw -= start.yaw;
-    orbit.pitch -= start.pitch;
-    orbit.vertical_fov = 35.0f;
-    orbit_turn(&orbit, 0.35f, 0.25f);
-    float aspect = (float)pane->width / (float)pane->height;
-    orbit_frame(&orbit, (Box){{-1, -0.05f, -1}, {1, 1.25f, 1}}, aspect);
-    orbit.target = vec3(0, 0.5f, 0);
-    orbit.distance *= 0.8f;
-    pane_frame(&pane->view->framing, &orbit);
-    return orbit;
-}
-
 static void build(const View *view, ViewData *data, Vertices *lists)
 {
     const double *settings = view->settings[VIEW_LOBE];
@@ -97,9 +81,18 @@ static void build(const View *view, ViewData *data, Vertices *lists)
     lobe_cloud(&lobe, &data->findings[RUN_LOBE], data->made[VIEW_LOBE].found, &lists[CLOUD]);
 }
 
+// Turned as the scene is, but from where the lobe is seen best.
 static void draw(const Pane *pane)
 {
-    Orbit orbit = lobe_orbit(pane);
+    Orbit start = orbit_of_camera(&pane->scene->camera, bvh_bounds(pane->scene->bvh)), orbit = pane->view->orbit;
+    orbit.yaw -= start.yaw;
+    orbit.pitch -= start.pitch;
+    orbit.vertical_fov = 35.0f;
+    orbit_turn(&orbit, 0.35f, 0.25f);
+    orbit_frame(&orbit, (Box){{-1, -0.05f, -1}, {1, 1.25f, 1}}, (float)pane->width / (float)pane->height);
+    orbit.target = vec3(0, 0.5f, 0);
+    orbit.distance *= 0.8f;
+    pane_frame(&pane->view->framing, &orbit);
     pane_look(pane, &orbit, (Box){{-2, -2, -2}, {2, 2, 2}}, 0, 0);
     pane_draw(pane, CLOUD, (DrawStyle){.point_size = fmaxf(pane->scale - 0.5f, 1.0f)});
     pane_draw(pane, LINES, (DrawStyle){.kind = DRAW_LINES});

@@ -27,13 +27,6 @@ float leg_flown(const PathLeg *leg, double flight)
     return flight < 0.0 ? 1.0f : (float)fmin(fmax(flown, 0.0), 1.0);
 }
 
-// Many short legs crowd inside a stone: they would drown the rest.
-static float length_share(const ViewData *data, const PathLeg *leg)
-{
-    float size = box_diagonal(bvh_bounds(data->scene->bvh));
-    return fminf(fmaxf(leg_length(leg) / (0.2f * size), 0.12f), 1.0f);
-}
-
 // The material that it flies to: a leg does not say.
 static Rgba colour_ahead(const Scene *scene, const PathLeg *leg)
 {
@@ -75,13 +68,6 @@ static void add_leg(Vertices *list, const PathLeg *leg, Rgba colour, double flig
                     rgba_fade(bright, 0.2f), bright);
 }
 
-// So many lines lie over each other at a place: the more, the more transparent each.
-static float lines_opacity(const Pane *pane, size_t count)
-{
-    float crossing = 0.4f * (float)count / sqrtf(points_area(pane));
-    return fminf(fmaxf(view_brightness(pane->view) * 0.9f / (1.0f + 3.5f * crossing), 0.03f), 1.0f);
-}
-
 // The last of the bright legs.
 static size_t present_leg(const View *view, size_t count)
 {
@@ -113,10 +99,13 @@ static void build_chosen(const View *view, const ViewData *data, const PathLeg *
 static void build(const View *view, ViewData *data, Vertices *lists)
 {
     const Recording *recording = &data->recording;
+    float size = box_diagonal(bvh_bounds(data->scene->bvh));
     size_t count;
     for (size_t i = 0; i < recording->leg_count; i++) {
         const PathLeg *leg = &recording->legs[i];
-        Rgba colour = rgba_fade(leg_colour(data, view->colour, leg), length_share(data, leg));
+        float share =
+            leg_length(leg) / (0.2f * size); // many short legs crowd inside a stone: they would drown the rest
+        Rgba colour = rgba_fade(leg_colour(data, view->colour, leg), fminf(fmaxf(share, 0.12f), 1.0f));
         add_leg(&lists[LINES], leg, colour, view->flight);
     }
     const PathLeg *legs = path_legs(recording, (long)view->settings[VIEW_PATHS][PATH], &count);
@@ -129,9 +118,11 @@ static void draw(const Pane *pane)
     const Recording *recording = &pane->data->recording;
     size_t count;
     bool chosen = path_legs(recording, (long)view->settings[VIEW_PATHS][PATH], &count);
-    float opacity = lines_opacity(pane, recording->leg_count) * (chosen ? DIM : 1.0f);
+    // So many lines lie over each other at a place: the more, the more transparent each.
+    float crossing = 0.4f * (float)recording->leg_count / sqrtf(points_area(pane));
+    float opacity = fminf(fmaxf(view_brightness(view) * 0.9f / (1.0f + 3.5f * crossing), 0.03f), 1.0f);
     pane_look_at_scene(pane);
-    pane_draw(pane, LINES, (DrawStyle){.kind = DRAW_LINES, .opacity = opacity});
+    pane_draw(pane, LINES, (DrawStyle){.kind = DRAW_LINES, .opacity = opacity * (chosen ? DIM : 1.0f)});
     Box box = bvh_bounds(pane->scene->bvh);
     for (int i = 0; i < 4; i++) { // twice as wide, whichever way it runs
         pane_look(pane, &view->orbit, box, i & 1 ? 0.5f : -0.5f, i & 2 ? 0.5f : -0.5f);

@@ -15,15 +15,11 @@ float points_exposure(size_t count, float pixels, float point_size)
     return fminf(fmaxf(exposure, LEAST_EXPOSURE), 1.0f);
 }
 
-static float points_size(size_t count, float pixels, float scale)
-{
-    float size = floorf(sqrtf(0.5f * pixels / ((float)count + 1.0f)) + 0.5f);
-    return fminf(fmaxf(size, 1.0f), 2.0f + scale);
-}
-
 void pane_draw_points(const Pane *pane, int list, size_t count, float area, float strength)
 {
-    float size = points_size(count, area, pane->scale), exposure = strength * points_exposure(count, area, size);
+    float size = floorf(sqrtf(0.5f * area / ((float)count + 1.0f)) + 0.5f);
+    size = fminf(fmaxf(size, 1.0f), 2.0f + pane->scale);
+    float exposure = strength * points_exposure(count, area, size);
     vertex_buffer_draw(pane->canvas, &pane->data->made[pane->view->kind].lists[list], 0, count,
                        &(DrawStyle){.additive = true, .exposure = exposure, .point_size = size});
 }

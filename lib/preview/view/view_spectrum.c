@@ -87,12 +87,6 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
                  known ? data->scene->materials[material].name : "everything", found->photons, found->highest);
 }
 
-static void legend(const View *view, const ViewData *data, Legend *legend)
-{
-    (void)view, (void)data;
-    list_wavelengths(legend);
-}
-
 static void choose(View *view, const ViewData *data, bool sideways, int step)
 {
     double *material = &view->settings[VIEW_SPECTRUM][MATERIAL];
@@ -108,7 +102,7 @@ const ViewType view_spectrum = {
     .build = build,
     .draw = draw,
     .describe = describe,
-    .legend = legend,
+    .legend = legend_of_wavelengths,
     .choose = choose,
     .found_size = sizeof(Found),
 };
