@@ -97,12 +97,12 @@ void pane_look(const Pane *pane, const Orbit *orbit, Box box, float right, float
         matrix[4 * i] += 2.0f * right / (float)pane->width * matrix[4 * i + 3];
         matrix[4 * i + 1] -= 2.0f * down / (float)pane->height * matrix[4 * i + 3];
     }
-    canvas_view(pane->canvas, pane->left, 0, pane->width, pane->height, matrix);
+    canvas_view(pane->data->canvas, pane->left, 0, pane->width, pane->height, matrix);
 }
 
 void pane_look_at_scene(const Pane *pane)
 {
-    pane_look(pane, &pane->view->orbit, bvh_bounds(pane->scene->bvh), 0, 0);
+    pane_look(pane, &pane->view->orbit, bvh_bounds(pane->data->scene->bvh), 0, 0);
 }
 
 float pane_look_at_sheet(const Pane *pane, Box box)
@@ -118,7 +118,7 @@ float pane_look_at_sheet(const Pane *pane, Box box)
 void pane_draw(const Pane *pane, int list, DrawStyle style)
 {
     const VertexBuffer *buffer = &pane->data->made[pane->view->kind].lists[list];
-    vertex_buffer_draw(pane->canvas, buffer, 0, buffer->count, &style);
+    vertex_buffer_draw(pane->data->canvas, buffer, 0, buffer->count, &style);
 }
 
 // Makes the view's vertices, unless there are some of the same data and choices. Only those of photons have the chosen colours,
@@ -149,7 +149,7 @@ static void draw_picture(const Pane *pane, const Picture *picture)
     float columns = (float)picture->columns, rows = (float)picture->rows;
     float scale = fminf((float)pane->width / columns, (float)pane->height / rows);
     int across = (int)(scale * columns + 0.5f), down = (int)(scale * rows + 0.5f);
-    canvas_picture(pane->canvas, pane->left + (pane->width - across) / 2, (pane->height - down) / 2, across, down,
+    canvas_picture(pane->data->canvas, pane->left + (pane->width - across) / 2, (pane->height - down) / 2, across, down,
                    picture->rgba, picture->columns, picture->rows);
 }
 
@@ -190,7 +190,7 @@ void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *refe
     bool split = view->split && reference;
     float side = least_side(canvas);
     float scale = side < 640.0f ? 1.0f : side < 1300.0f ? 2.0f : 3.0f; // whole: points stay even
-    Pane pane = {canvas, yours->scene, view, yours, 0, split ? area.width / 2 : area.width, area.height, scale};
+    Pane pane = {view, yours, 0, split ? area.width / 2 : area.width, area.height, scale};
     canvas_begin(canvas, (Rgba){7, 9, 14, 255});
     draw_half(&pane, &captions->pictures[0]);
     if (split) {

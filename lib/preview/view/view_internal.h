@@ -45,8 +45,6 @@ struct ViewData {
 
 // Where one half is drawn.
 struct Pane {
-    Canvas *canvas;
-    const Scene *scene;
     const View *view;
     ViewData *data;
     int left, width, height; // pixels; from the canvas's top

@@ -84,7 +84,8 @@ static void build(const View *view, ViewData *data, Vertices *lists)
 // Turned as the scene is, but from where the lobe is seen best.
 static void draw(const Pane *pane)
 {
-    Orbit start = orbit_of_camera(&pane->scene->camera, bvh_bounds(pane->scene->bvh)), orbit = pane->view->orbit;
+    Orbit start = orbit_of_camera(&pane->data->scene->camera, bvh_bounds(pane->data->scene->bvh)),
+          orbit = pane->view->orbit;
     orbit.yaw -= start.yaw;
     orbit.pitch -= start.pitch;
     orbit.vertical_fov = 35.0f;

@@ -123,7 +123,7 @@ static void draw(const Pane *pane)
     float opacity = fminf(fmaxf(view_brightness(view) * 0.9f / (1.0f + 3.5f * crossing), 0.03f), 1.0f);
     pane_look_at_scene(pane);
     pane_draw(pane, LINES, (DrawStyle){.kind = DRAW_LINES, .opacity = opacity * (chosen ? DIM : 1.0f)});
-    Box box = bvh_bounds(pane->scene->bvh);
+    Box box = bvh_bounds(pane->data->scene->bvh);
     for (int i = 0; i < 4; i++) { // twice as wide, whichever way it runs
         pane_look(pane, &view->orbit, box, i & 1 ? 0.5f : -0.5f, i & 2 ? 0.5f : -0.5f);
         pane_draw(pane, CHOSEN, (DrawStyle){.kind = DRAW_LINES});

@@ -20,7 +20,7 @@ void pane_draw_points(const Pane *pane, int list, size_t count, float area, floa
     float size = floorf(sqrtf(0.5f * area / ((float)count + 1.0f)) + 0.5f);
     size = fminf(fmaxf(size, 1.0f), 2.0f + pane->scale);
     float exposure = strength * points_exposure(count, area, size);
-    vertex_buffer_draw(pane->canvas, &pane->data->made[pane->view->kind].lists[list], 0, count,
+    vertex_buffer_draw(pane->data->canvas, &pane->data->made[pane->view->kind].lists[list], 0, count,
                        &(DrawStyle){.additive = true, .exposure = exposure, .point_size = size});
 }
 
@@ -31,7 +31,7 @@ size_t points_drawn(const View *view, size_t count)
 
 float points_area(const Pane *pane)
 {
-    float across = box_diagonal(bvh_bounds(pane->scene->bvh)) / 1.732f;
+    float across = box_diagonal(bvh_bounds(pane->data->scene->bvh)) / 1.732f;
     float tan_half = tanf(0.5f * pane->view->orbit.vertical_fov * (PI / 180.0f));
     float high = across / (2.0f * pane->view->orbit.distance * tan_half) * (float)pane->height;
     if (!(high > 1.0f)) // an empty box, too

@@ -9,7 +9,7 @@ enum { LEVEL };         // settings: depth of the cells
 enum { BOXES, POINTS }; // lists
 typedef struct {
     int level;
-    size_t cells, largest; // how many; photons in the fullest
+    size_t largest; // photons in the fullest cell
 } Found;
 
 #define GOLDEN 0.618034f // neighbours' hues lie far apart
@@ -53,9 +53,8 @@ static void build(const View *view, ViewData *data, Vertices *lists)
         return;
     const StoredPhoton *photon = photon_map_photons(data->map);
     found->level = (int)fmin(view->settings[VIEW_TREE][LEVEL], tree_depth(data->map));
-    found->cells = (size_t)1 << found->level;
     found->largest = 0;
-    for (size_t i = 0; i < found->cells; i++) {
+    for (size_t i = 0; i < (size_t)1 << found->level; i++) {
         size_t count;
         Box box = tree_cell(data->map, found->level, i, &count);
         Rgba hue = palette_hue(GOLDEN * (float)i);
@@ -82,11 +81,12 @@ static void describe(const View *view, const ViewData *data, char *text, size_t 
 {
     (void)view;
     const Found *found = data->made[VIEW_TREE].found;
+    size_t cells = (size_t)1 << found->level;
     if (!data->map)
         snprintf(text, size, "no photons, no tree");
     else
         snprintf(text, size, "kd-tree after %d halvings of at most %d: %zu cell%s, %zu photons in the fullest",
-                 found->level, tree_depth(data->map), found->cells, found->cells == 1 ? "" : "s", found->largest);
+                 found->level, tree_depth(data->map), cells, cells == 1 ? "" : "s", found->largest);
 }
 
 static void choose(View *view, const ViewData *data, bool sideways, int step)

@@ -166,12 +166,13 @@ void wireframe_build(const Scene *scene, Vertices *list)
 
 void wireframe_draw(const Pane *pane, float strength)
 {
-    VertexBuffer *wires = &pane->data->wires;
+    ViewData *data = pane->data;
+    VertexBuffer *wires = &data->wires;
     if (!wires->array) {
         Vertices list = {.items = NULL};
-        wireframe_build(pane->scene, &list);
-        vertices_upload(&list, pane->canvas, wires);
+        wireframe_build(data->scene, &list);
+        vertices_upload(&list, data->canvas, wires);
     }
     pane_look_at_scene(pane);
-    vertex_buffer_draw(pane->canvas, wires, 0, wires->count, &(DrawStyle){.kind = DRAW_LINES, .exposure = strength});
+    vertex_buffer_draw(data->canvas, wires, 0, wires->count, &(DrawStyle){.kind = DRAW_LINES, .exposure = strength});
 }

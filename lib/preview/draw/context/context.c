@@ -91,35 +91,31 @@ static const char *const EGL_FILES[] = {"libEGL.so.1", "libEGL.so", NULL};
 #define EGL_FUNCTION(result, name, parameters) {#name, &egl.name},
 static const LibraryFunction EGL_LIBRARY[] = {EGL_FUNCTIONS(EGL_FUNCTION){NULL, NULL}};
 
-// With no configuration first: the canvas needs none. Where the driver insists, one that can have a small surface.
-static bool make_present(Context *context)
+static bool make_present(Context *context, void *config, void *surface)
 {
     static const int VERSION[] = {MAJOR_VERSION, 3, MINOR_VERSION, 3, PROFILE_MASK, CORE_PROFILE_BIT, EGL_NONE};
-    static const int WISH[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-    static const int SIZE[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
-    void *display = context->display, *config = NULL;
-    for (int attempt = 0; attempt < 2; attempt++) {
-        int count = 0;
-        if (attempt == 1 && (!egl.eglChooseConfig(display, WISH, &config, 1, &count) || count < 1))
-            return false;
-        void *surface = attempt == 1 ? egl.eglCreatePbufferSurface(display, config, SIZE) : NULL;
-        context->handle = egl.eglCreateContext(display, config, NULL, VERSION);
-        if (context->handle && egl.eglMakeCurrent(display, surface, surface, context->handle))
-            return true;
-        if (context->handle)
-            egl.eglDestroyContext(display, context->handle);
-    }
+    context->handle = egl.eglCreateContext(context->display, config, NULL, VERSION);
+    if (context->handle && egl.eglMakeCurrent(context->display, surface, surface, context->handle))
+        return true;
+    if (context->handle)
+        egl.eglDestroyContext(context->display, context->handle);
     return false;
 }
 
-// Tries one display.
+// With no configuration first: the canvas needs none. Where the driver insists, one that can have a small surface.
 static bool try_display(Context *context, void *display)
 {
-    int major, minor;
+    static const int WISH[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    static const int SIZE[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
+    int major, minor, count = 0;
+    void *config;
     context->display = display;
     if (!display || !egl.eglInitialize(display, &major, &minor))
         return false;
-    if (egl.eglBindAPI(EGL_OPENGL_API) && make_present(context))
+    if (egl.eglBindAPI(EGL_OPENGL_API) &&
+        (make_present(context, NULL, NULL) ||
+         (egl.eglChooseConfig(display, WISH, &config, 1, &count) && count > 0 &&
+          make_present(context, config, egl.eglCreatePbufferSurface(display, config, SIZE)))))
         return true;
     egl.eglTerminate(display);
     return false;
