@@ -1,4 +1,4 @@
-// The functions of lib/preview/draw/gl.h by WebGL 2, and what draws: what the module imports. OpenGL names its objects by numbers, which
+// The functions of lib/preview/draw/canvas_internal.h by WebGL 2, and what draws: what the module imports. OpenGL names its objects by numbers, which
 // count up from 1 here, and points into memory, which is the module's.
 
 function photonlabGl(gl, memory) {
