@@ -66,8 +66,7 @@ void fault_describe(const Fault *fault, char *text, size_t size)
         put_place(&fault->place, what, text, size);
     else
         snprintf(text, size,
-                 "%s, while none of your steps ran: did one write where it must not, or make photons "
-                 "without end?",
+                 "%s, while none of your steps ran: did one write where it must not, or make photons without end?",
                  what);
 }
 
