@@ -105,7 +105,7 @@ static Colour rough_surface(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
     if (eye->options->integrator == INTEGRATOR_PHOTONS_ONLY)
         return steps.estimate_radiance(eye->rest, hit, wo, &eye->gather);
     Colour sum = direct_light(eye, hit, wo);
-    if (eye->has_point)
+    if (eye->point)
         point_collect(eye, eye->caustic, hit, wo, carried.weight);
     else
         sum = colour_add(sum, caustic_light(eye, hit, wo));
@@ -122,7 +122,7 @@ static Colour rough_surface(Eye *eye, const Hit *hit, Vec3 wo, EyeRay carried)
         matt.kind = NULL;
         on_matt.material = &matt;
     }
-    if (eye->has_point)
+    if (eye->point)
         point_collect(eye, eye->rest, &on_matt, wo, carried.weight);
     else
         sum = colour_add(sum, matt_from_map(eye, eye->rest, &eye->rest_cache, &on_matt, material, wo));

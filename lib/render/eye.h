@@ -29,9 +29,9 @@ typedef struct {
     IrradianceCache *own_cache;              // GATHER: estimates made in this tile
     Remembered memory[EYE_MEMORY];
     unsigned remembered;
-    bool has_point; // photons go into the statistics of the pixel's point, and so into these:
-    int found;      // by the present ray
-    Colour flux;    // W/sr
+    PointStatistics *point; // of this pixel: photons go into it, and so into these; NULL: into the picture
+    int found;              // by the present ray
+    Colour flux;            // W/sr
     Rng rng;
     Sampler sampler;
     uint64_t rays;

@@ -70,34 +70,28 @@ Colour final_gather_irradiance(Eye *eye, const Hit *hit, Vec3 wo, float distance
 #define COARSEST (1 << (LEVELS - 1)) // pixels between the first estimates
 #define BATCH    128                 // estimates made at a time, blind to each other
 
-typedef struct {
-    int width, height;
-    int (*points)[2]; // pixels that come next
-    size_t count;
-    bool *open; // of each: no estimate serves there
-} Grid;
+#define CLOSED   UINT32_MAX          // in place of a pixel: nothing to do there
 
-// Those on a grid of this spacing which were on none before.
-static void grid_points(Grid *grid, int spacing)
+// Those on a grid of this spacing which were on none before; how many.
+static size_t grid_pixels(const RenderSettings *settings, int spacing, uint32_t *pixels)
 {
-    grid->count = 0;
-    for (int y = 0; y < grid->height; y += spacing)
-        for (int x = 0; x < grid->width; x += spacing)
-            if (spacing == COARSEST || x % (2 * spacing) || y % (2 * spacing)) {
-                grid->points[grid->count][0] = x;
-                grid->points[grid->count++][1] = y;
-            }
+    size_t count = 0;
+    for (int y = 0; y < settings->height; y += spacing)
+        for (int x = 0; x < settings->width; x += spacing)
+            if (spacing == COARSEST || x % (2 * spacing) || y % (2 * spacing))
+                pixels[count++] = (uint32_t)(y * settings->width + x);
+    return count;
 }
 
 // What the eye sees through a pixel's middle; true: a rough surface where no estimate serves.
-static bool is_open(Eye *eye, const Grid *grid, const int point[2], Hit *hit, Vec3 *wo, float *distance)
+static bool is_open(Eye *eye, uint32_t pixel, Hit *hit, Vec3 *wo, float *distance)
 {
-    uint64_t pixel = (uint64_t)point[1] * (uint64_t)grid->width + (uint64_t)point[0];
+    int width = eye->options->settings.width, height = eye->options->settings.height;
     eye->rng = rng_create(hash_u64(eye->options->seed) + 1, pixel);
     eye->sampler = (Sampler){hash_u64(eye->rng.state), 0};
-    float x = ((float)point[0] + 0.5f) / (float)grid->width;
-    float y = ((float)point[1] + 0.5f) / (float)grid->height;
-    Ray ray = camera_ray(&eye->scene->camera, x, y, (float)grid->width / (float)grid->height);
+    float x = ((float)(pixel % (uint32_t)width) + 0.5f) / (float)width;
+    float y = ((float)(pixel / (uint32_t)width) + 0.5f) / (float)height;
+    Ray ray = camera_ray(&eye->scene->camera, x, y, (float)width / (float)height);
     Colour known;
     return first_rough(eye, ray, hit, wo, distance) &&
            !irradiance_cache_find(eye->final->cache, hit->position, hit->normal, &known);
@@ -117,69 +111,60 @@ static size_t stride_through(size_t count)
     return stride;
 }
 
-// Leaves those points that are open, in an order in which neighbours are far apart.
-static void keep_open(Eye *const eyes[], int threads, Grid *grid, int (*kept)[2])
+// Those of the pixels that are open, in an order in which neighbours are far apart; how many.
+static size_t keep_open(Eye *eyes, int threads, uint32_t *pixels, size_t count, uint32_t *kept)
 {
-    if (grid->count == 0)
-        return;
 #pragma omp parallel for schedule(dynamic, 256) num_threads(threads)
-    for (size_t i = 0; i < grid->count; i++) {
+    for (size_t i = 0; i < count; i++) {
         Hit hit;
         Vec3 wo;
         float distance;
-        grid->open[i] = is_open(eyes[parallel_index()], grid, grid->points[i], &hit, &wo, &distance);
+        if (!is_open(&eyes[parallel_index()], pixels[i], &hit, &wo, &distance))
+            pixels[i] = CLOSED;
     }
-    size_t stride = stride_through(grid->count);
-    size_t count = 0;
-    for (size_t i = 0; i < grid->count; i++) {
-        size_t at = i * stride % grid->count;
-        if (!grid->open[at])
-            continue;
-        kept[count][0] = grid->points[at][0];
-        kept[count++][1] = grid->points[at][1];
-    }
-    grid->count = count;
+    size_t stride = stride_through(count), open = 0;
+    for (size_t i = 0; i < count; i++)
+        if (pixels[i * stride % count] != CLOSED)
+            kept[open++] = pixels[i * stride % count];
+    return open;
 }
 
 // Whole batches, whatever the number of threads: which estimates an estimate knows of does not hang on luck.
-static bool fill_batch(Eye *const eyes[], int threads, const Grid *grid, int (*points)[2], size_t count)
+static bool fill_batch(Eye *eyes, int threads, const uint32_t *pixels, size_t count)
 {
     IrradianceEstimate made[BATCH];
-    bool is_made[BATCH];
+    bool is_made[BATCH], ok = true;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
     for (size_t i = 0; i < count; i++) {
-        Eye *eye = eyes[parallel_index()];
+        Eye *eye = &eyes[parallel_index()];
         Hit hit;
         Vec3 wo;
         float distance;
-        is_made[i] = is_open(eye, grid, points[i], &hit, &wo, &distance) &&
-                     (irradiance_estimate_make(eye, &hit, wo, distance, &made[i]), true);
+        is_made[i] = is_open(eye, pixels[i], &hit, &wo, &distance);
+        if (is_made[i])
+            irradiance_estimate_make(eye, &hit, wo, distance, &made[i]);
     }
-    bool ok = true;
     for (size_t i = 0; i < count; i++)
-        ok = (!is_made[i] || irradiance_cache_add(eyes[0]->final->cache, &made[i])) && ok;
+        ok = (!is_made[i] || irradiance_cache_add(eyes[0].final->cache, &made[i])) && ok;
     return ok;
 }
 
-bool final_gather_fill(Eye *const eyes[], int threads, int width, int height)
+bool final_gather_fill(Eye *eyes, int threads)
 {
-    size_t pixels = (size_t)width * (size_t)height;
-    Grid grid = {width, height, malloc(pixels * sizeof *grid.points), 0, malloc(pixels * sizeof *grid.open)};
-    int(*kept)[2] = malloc(pixels * sizeof *kept);
-    bool ok = grid.points && grid.open && kept;
+    const RenderSettings *settings = &eyes[0].options->settings;
+    size_t all = (size_t)settings->width * (size_t)settings->height;
+    uint32_t *pixels = malloc(all * sizeof *pixels), *open = malloc(all * sizeof *open);
+    bool ok = pixels && open;
     for (int level = 0; ok && level < LEVELS; level++) {
-        grid_points(&grid, COARSEST >> level);
-        keep_open(eyes, threads, &grid, kept);
-        for (size_t first = 0; first < grid.count; first += BATCH) {
-            ok = fill_batch(eyes, threads, &grid, kept + first,
-                            grid.count - first < BATCH ? grid.count - first : BATCH) &&
-                 ok;
-            progress_report(&eyes[0]->options->progress, "gather rays",
-                            (level + (double)first / (double)grid.count) / LEVELS);
+        size_t count = grid_pixels(settings, COARSEST >> level, pixels);
+        count = keep_open(eyes, threads, pixels, count, open);
+        for (size_t first = 0; first < count; first += BATCH) {
+            ok = fill_batch(eyes, threads, open + first, count - first < BATCH ? count - first : BATCH) && ok;
+            progress_report(&eyes[0].options->progress, "gather rays",
+                            (level + (double)first / (double)count) / LEVELS);
         }
     }
-    free(grid.points);
-    free(grid.open);
-    free(kept);
+    free(pixels);
+    free(open);
     return ok;
 }

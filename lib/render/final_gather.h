@@ -33,7 +33,7 @@ struct GatherTrace {
 };
 
 // Makes the estimates that the picture needs. One eye a thread; the same estimates whatever their number. False: no memory.
-bool final_gather_fill(Eye *const eyes[], int threads, int width, int height);
+bool final_gather_fill(Eye *eyes, int threads);
 
 // Indirect irradiance at a rough hit that the eye sees along −wo, `distance` away in all, W/m².
 Colour final_gather_irradiance(Eye *eye, const Hit *hit, Vec3 wo, float distance);

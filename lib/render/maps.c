@@ -109,11 +109,11 @@ bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, Ren
     reserve(options, &pass_options);
     if (!photon_pass_run(scene, &pass_options, &pass, error))
         return false;
-    stats->photons_emitted = pass.emitted;
-    stats->photons_stored = pass.stored;
-    stats->photon_rays = pass.segments;
-    stats->unsound = pass.unsound;
-    stats->photon_seconds = pass.seconds;
+    stats->photons_emitted += pass.emitted;
+    stats->photons_stored += pass.stored;
+    stats->photon_rays += pass.segments;
+    unsound_paths_add(&stats->unsound, &pass.unsound);
+    stats->photon_seconds += pass.seconds;
     stats->ledger = pass.ledger;
     double start = clock_seconds();
     bool ok = !gathers || (build_ends(scene, options, &pass, maps, error) &&
@@ -121,7 +121,7 @@ bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, Ren
     maps->caustic = ok ? build_map(&pass.caustic, error) : NULL;
     if (maps->caustic && !gathers)
         maps->rest = build_map(&pass.rest, error);
-    stats->build_seconds = clock_seconds() - start;
+    stats->build_seconds += clock_seconds() - start;
     photon_pass_free(&pass);
     if (!maps->caustic || !maps->rest)
         return false;

@@ -10,20 +10,6 @@
 
 #define TILE 16 // pixels a side; a thread's share of work, and how far estimates are shared
 
-// A ray's photons go into the point of its pixel.
-static void begin_point(Eye *eye, uint64_t pixel)
-{
-    eye->gather.radius = eye->options->pass->points[pixel].radius;
-    eye->found = 0;
-    eye->flux = colour_grey(0.0f);
-}
-
-static void end_point(const Eye *eye, uint64_t pixel)
-{
-    const RenderPass *pass = eye->options->pass;
-    pass->points[pixel] = steps.add_photons(pass->points[pixel], eye->found, eye->flux, pass->alpha);
-}
-
 static void render_pixel(Eye *eye, Image *image, int column, int row)
 {
     const RenderSettings *settings = &eye->options->settings;
@@ -31,6 +17,7 @@ static void render_pixel(Eye *eye, Image *image, int column, int row)
     uint64_t pixel = (uint64_t)row * (uint64_t)settings->width + (uint64_t)column;
     float aspect = (float)settings->width / (float)settings->height;
     Colour sum = colour_grey(0.0f);
+    eye->point = pass && pass->points ? &pass->points[pixel] : NULL;
     memset(eye->memory, 0, sizeof eye->memory);
     eye->remembered = 0;
     eye->sampler.pixel = hash_u64((pass ? pass->seed : eye->options->seed) ^ hash_u64(pixel));
@@ -42,56 +29,29 @@ static void render_pixel(Eye *eye, Image *image, int column, int row)
         float x = ((float)column + u) / (float)settings->width;
         float y = ((float)row + v) / (float)settings->height;
         Ray ray = camera_ray(&eye->scene->camera, x, y, aspect);
-        if (eye->has_point)
-            begin_point(eye, pixel);
+        if (eye->point) {
+            eye->gather.radius = eye->point->radius;
+            eye->found = 0;
+            eye->flux = colour_grey(0.0f);
+        }
         Colour radiance =
             eye->options->integrator == INTEGRATOR_PATH ? path_radiance(eye, ray) : eye_radiance(eye, &ray);
-        if (eye->has_point)
-            end_point(eye, pixel);
+        if (eye->point)
+            *eye->point = steps.add_photons(*eye->point, eye->found, eye->flux, pass->alpha);
         sum = colour_add(sum, radiance);
     }
     *image_at(image, column, row) = colour_scale(sum, 1.0f / (float)settings->samples);
 }
 
-typedef struct {
-    int left, top, right, bottom; // the last two are beyond it
-} TilePlace;
-
-static TilePlace tile_place(const Image *image, int tile)
+static void render_tile(Eye *eye, Image *image, int left, int top, int width, int height)
 {
-    int tiles_across = (image->width + TILE - 1) / TILE;
-    int left = tile % tiles_across * TILE, top = tile / tiles_across * TILE;
-    int right = left + TILE, bottom = top + TILE;
-    return (TilePlace){left, top, right < image->width ? right : image->width,
-                       bottom < image->height ? bottom : image->height};
-}
-
-static void render_tile(Eye *eye, Image *image, int tile)
-{
-    TilePlace place = tile_place(image, tile);
     radiance_cache_clear(&eye->caustic_cache);
     radiance_cache_clear(&eye->rest_cache);
     if (eye->own_cache)
         irradiance_cache_clear(eye->own_cache);
-    for (int row = place.top; row < place.bottom; row++)
-        for (int column = place.left; column < place.right; column++)
+    for (int row = top; row < top + height; row++)
+        for (int column = left; column < left + width; column++)
             render_pixel(eye, image, column, row);
-}
-
-static void give_tile(const RenderOptions *options, const Image *image, int tile)
-{
-    TilePlace p = tile_place(image, tile);
-    if (options->tiles.take)
-        options->tiles.take(options->tiles.user, image, p.left, p.top, p.right - p.left, p.bottom - p.top);
-}
-
-static void eye_free(Eye *eye)
-{
-    if (!eye)
-        return;
-    free(eye->gather.near);
-    irradiance_cache_free(eye->own_cache);
-    free(eye);
 }
 
 // Of one map: that many may lie within a pass's radius. Memory is only used as far as it is written to.
@@ -102,11 +62,9 @@ static size_t most_photons(const Maps *maps)
     return caustic > rest ? caustic : rest;
 }
 
-static Eye *eye_create(const Scene *scene, const RenderOptions *options, const Maps *maps, FinalGather *final)
+// Fills in a zeroed eye. False: no memory.
+static bool eye_open(Eye *eye, const Scene *scene, const RenderOptions *options, const Maps *maps, FinalGather *final)
 {
-    Eye *eye = calloc(1, sizeof *eye);
-    if (!eye)
-        return NULL;
     size_t k = (size_t)options->settings.k;
     float radius = options->settings.radius > 0.0f ? options->settings.radius : INFINITY;
     if (options->pass) {
@@ -119,32 +77,36 @@ static Eye *eye_create(const Scene *scene, const RenderOptions *options, const M
     eye->caustic = maps->caustic;
     eye->rest = maps->rest;
     eye->gather = (Gather){.k = k, .radius = radius, .glossy = options->play.glossy, .near = near};
-    eye->has_point = options->pass && options->pass->points;
     eye->final = final;
     eye->own_cache = final ? irradiance_cache_create(GATHER_ACCURACY, final->size) : NULL;
-    if (near && (!final || eye->own_cache))
-        return eye;
-    eye_free(eye);
-    return NULL;
+    return near && (!final || eye->own_cache);
 }
 
-static void give_estimates(const RenderOptions *options, const IrradianceCache *cache)
+static void give_estimates(const RenderOptions *options, const IrradianceCache *cache, RenderStats *stats)
 {
-    for (size_t i = 0; options->estimates.take && i < irradiance_cache_count(cache); i++)
-        options->estimates.take(options->estimates.user, irradiance_cache_at(cache, i));
+    size_t count;
+    const IrradianceEstimate *estimates = irradiance_cache_estimates(cache, &count);
+    stats->estimates += count;
+    for (size_t i = 0; options->estimates.take && i < count; i++)
+        options->estimates.take(options->estimates.user, &estimates[i]);
 }
 
-static void eye_pass(Eye *const eyes[], int threads, Image *image)
+static void eye_pass(Eye *eyes, int threads, Image *image)
 {
-    int tiles = ((image->width + TILE - 1) / TILE) * ((image->height + TILE - 1) / TILE);
+    const RenderOptions *options = eyes[0].options;
+    int across = (image->width + TILE - 1) / TILE, tiles = across * ((image->height + TILE - 1) / TILE);
     int done = 0;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (int tile = 0; tile < tiles; tile++) {
-        render_tile(eyes[parallel_index()], image, tile);
+        int left = tile % across * TILE, top = tile / across * TILE;
+        int width = left + TILE < image->width ? TILE : image->width - left;
+        int height = top + TILE < image->height ? TILE : image->height - top;
+        render_tile(&eyes[parallel_index()], image, left, top, width, height);
 #pragma omp critical(render_progress)
         {
-            give_tile(eyes[0]->options, image, tile);
-            progress_report(&eyes[0]->options->progress, "eye rays", (double)++done / (double)tiles);
+            if (options->tiles.take)
+                options->tiles.take(options->tiles.user, image, left, top, width, height);
+            progress_report(&options->progress, "eye rays", (double)++done / (double)tiles);
         }
     }
 }
@@ -163,24 +125,25 @@ static bool look(const Scene *scene, const RenderOptions *options, const Maps *m
 {
     int threads = parallel_threads(options->threads);
     bool gathers = options->integrator == INTEGRATOR_GATHER;
-    float size = vec3_length(vec3_sub(bvh_bounds(scene->bvh).high, bvh_bounds(scene->bvh).low));
+    float size = box_diagonal(bvh_bounds(scene->bvh));
     FinalGather final = {maps->ends, NULL, size, 2.0f * scene->camera.tan_half_fov / (float)image->height};
     final.cache = gathers ? irradiance_cache_create(GATHER_ACCURACY, size) : NULL;
-    Eye **eyes = calloc((size_t)threads, sizeof(Eye *));
+    Eye *eyes = calloc((size_t)threads, sizeof *eyes);
     bool ok = eyes && (final.cache || !gathers);
     for (int i = 0; ok && i < threads; i++)
-        ok = (eyes[i] = eye_create(scene, options, maps, gathers ? &final : NULL)) != NULL;
-    double start = clock_seconds();
-    ok = ok && (!gathers || final_gather_fill(eyes, threads, image->width, image->height));
-    stats->gather_seconds = clock_seconds() - start;
-    if (ok && gathers)
-        give_estimates(options, final.cache);
+        ok = eye_open(&eyes[i], scene, options, maps, gathers ? &final : NULL);
+    if (ok && gathers) {
+        double start = clock_seconds();
+        ok = final_gather_fill(eyes, threads);
+        stats->gather_seconds += clock_seconds() - start;
+        give_estimates(options, final.cache, stats);
+    }
     if (ok)
         eye_pass(eyes, threads, image);
-    stats->estimates = gathers && final.cache ? irradiance_cache_count(final.cache) : 0;
     for (int i = 0; eyes && i < threads; i++) {
-        stats->eye_rays += eyes[i] ? eyes[i]->rays : 0;
-        eye_free(eyes[i]);
+        stats->eye_rays += eyes[i].rays;
+        free(eyes[i].gather.near);
+        irradiance_cache_free(eyes[i].own_cache);
     }
     free(eyes);
     irradiance_cache_free(final.cache);
@@ -190,7 +153,8 @@ static bool look(const Scene *scene, const RenderOptions *options, const Maps *m
 bool render_image(const Scene *scene, const RenderOptions *options, Image *image, RenderStats *stats, Error *error)
 {
     Maps maps = {NULL, NULL, NULL};
-    *stats = (RenderStats){0};
+    if (!options->pass)
+        *stats = (RenderStats){0};
     if (!image_create(image, options->settings.width, options->settings.height, error))
         return false;
     bool ok = has_room(options, error) &&
@@ -199,7 +163,7 @@ bool render_image(const Scene *scene, const RenderOptions *options, Image *image
         double start = clock_seconds();
         ok = look(scene, options, &maps, image, stats) ||
              error_set(error, "not enough memory for %d photons in an estimate; use a smaller k", options->settings.k);
-        stats->eye_seconds = clock_seconds() - start;
+        stats->eye_seconds += clock_seconds() - start;
     }
     maps_free(&maps);
     if (!ok)

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #define GRIDS 16
+#define SLOTS ((size_t)1 << 16)
 #define NONE  UINT32_MAX
 
 // In one cell of a grid there are a dozen at most where estimates do not overlap needlessly.
@@ -26,8 +27,7 @@ struct IrradianceCache {
     size_t count, capacity;
     Link *links;
     size_t link_count, link_capacity;
-    uint32_t *heads; // by the hash of grid and cell; different cells may share one, and the test of the error tells
-    size_t mask;
+    uint32_t heads[SLOTS]; // by the hash of grid and cell; different cells may share one, and the test of the error tells
     bool in_use[GRIDS];
 };
 
@@ -38,12 +38,6 @@ IrradianceCache *irradiance_cache_create(float accuracy, float longest_reach)
         return NULL;
     cache->accuracy = accuracy;
     cache->largest = 2.0f * accuracy * longest_reach;
-    cache->mask = (1u << 16) - 1;
-    cache->heads = malloc((cache->mask + 1) * sizeof *cache->heads);
-    if (!cache->heads) {
-        free(cache);
-        return NULL;
-    }
     irradiance_cache_clear(cache);
     return cache;
 }
@@ -54,7 +48,6 @@ void irradiance_cache_free(IrradianceCache *cache)
         return;
     free(cache->estimates);
     free(cache->links);
-    free(cache->heads);
     free(cache);
 }
 
@@ -62,18 +55,14 @@ void irradiance_cache_clear(IrradianceCache *cache)
 {
     cache->count = 0;
     cache->link_count = 0;
-    memset(cache->heads, 0xff, (cache->mask + 1) * sizeof *cache->heads);
+    memset(cache->heads, 0xff, sizeof cache->heads);
     memset(cache->in_use, 0, sizeof cache->in_use);
 }
 
-size_t irradiance_cache_count(const IrradianceCache *cache)
+const IrradianceEstimate *irradiance_cache_estimates(const IrradianceCache *cache, size_t *count)
 {
-    return cache->count;
-}
-
-const IrradianceEstimate *irradiance_cache_at(const IrradianceCache *cache, size_t i)
-{
-    return &cache->estimates[i];
+    *count = cache->count;
+    return cache->estimates;
 }
 
 typedef struct {
@@ -85,10 +74,10 @@ static Place place_of(Vec3 p, float scale)
     return (Place){(int32_t)floorf(p.x * scale), (int32_t)floorf(p.y * scale), (int32_t)floorf(p.z * scale)};
 }
 
-static size_t slot_of(const IrradianceCache *cache, int grid, Place place)
+static size_t slot_of(int grid, Place place)
 {
     uint64_t hash = hash_u64((uint64_t)(uint32_t)place.x << 32 | (uint32_t)place.y);
-    return (size_t)hash_u64(hash ^ ((uint64_t)(uint32_t)place.z << 4 | (uint32_t)grid)) & cache->mask;
+    return (size_t)hash_u64(hash ^ ((uint64_t)(uint32_t)place.z << 4 | (uint32_t)grid)) % SLOTS;
 }
 
 static float cell_of(const IrradianceCache *cache, int grid)
@@ -120,7 +109,7 @@ bool irradiance_cache_add(IrradianceCache *cache, const IrradianceEstimate *esti
     for (int32_t x = low.x; x <= high.x; x++)
         for (int32_t y = low.y; y <= high.y; y++)
             for (int32_t z = low.z; z <= high.z; z++)
-                if (!add_link(cache, slot_of(cache, grid, (Place){x, y, z})))
+                if (!add_link(cache, slot_of(grid, (Place){x, y, z})))
                     return false;
     cache->in_use[grid] = true;
     cache->estimates[cache->count++] = *estimate;
@@ -135,7 +124,7 @@ bool irradiance_cache_find(const IrradianceCache *cache, Vec3 position, Vec3 nor
         if (!cache->in_use[grid])
             continue;
         Place place = place_of(position, 1.0f / cell_of(cache, grid));
-        for (uint32_t l = cache->heads[slot_of(cache, grid, place)]; l != NONE && count < MOST_NEAR;
+        for (uint32_t l = cache->heads[slot_of(grid, place)]; l != NONE && count < MOST_NEAR;
              l = cache->links[l].next) {
             const IrradianceEstimate *estimate = &cache->estimates[cache->links[l].estimate];
             Vec3 offset = vec3_sub(position, estimate->position);

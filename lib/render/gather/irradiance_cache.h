@@ -16,8 +16,9 @@ IrradianceCache *irradiance_cache_create(float accuracy, float longest_reach);
 void irradiance_cache_free(IrradianceCache *cache);
 bool irradiance_cache_add(IrradianceCache *cache, const IrradianceEstimate *estimate); // false: no memory
 void irradiance_cache_clear(IrradianceCache *cache);
-size_t irradiance_cache_count(const IrradianceCache *cache);
-const IrradianceEstimate *irradiance_cache_at(const IrradianceCache *cache, size_t i); // in the order of adding
+
+// All of them, in the order of adding.
+const IrradianceEstimate *irradiance_cache_estimates(const IrradianceCache *cache, size_t *count);
 
 // The weighted mean of the estimates that serve at this place; false: none does.
 bool irradiance_cache_find(const IrradianceCache *cache, Vec3 position, Vec3 normal, Colour *irradiance);

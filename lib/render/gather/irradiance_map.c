@@ -9,13 +9,17 @@
 #define ESTIMATES_A_CELL 4.0f // on a flat surface, on average
 #define FACINGS          6    // along ±x, ±y, ±z, whichever is nearest
 
+typedef struct {
+    LocalIrradiance mean; // while the map is built: the sum
+    float weight;         // of the estimates in it
+} Cell;
+
 // Keys apart from what they lead to: a gather ray ends anywhere, and keys alone fit a processor's cache.
 struct IrradianceMap {
-    uint64_t *keys;         // hashes of cell and facing; 0: the slot is empty
-    LocalIrradiance *cells; // means, while the map is built: sums
-    float *weights;         // of the estimates in each
-    size_t mask;            // slots − 1, a power of two less one
-    float size;             // of a cell, m
+    uint64_t *keys; // hashes of cell and facing; 0: the slot is empty
+    Cell *cells;
+    size_t mask; // slots − 1, a power of two less one
+    float size;  // of a cell, m
 };
 
 typedef struct {
@@ -66,6 +70,15 @@ static size_t slot_of(const IrradianceMap *map, uint64_t key)
     return slot;
 }
 
+// The same for who fills it.
+static Cell *claim_cell(IrradianceMap *map, Place place, int facing)
+{
+    uint64_t key = key_of(place, facing);
+    size_t slot = slot_of(map, key);
+    map->keys[slot] = key;
+    return &map->cells[slot];
+}
+
 // A photon does not know its surface: a short ray back the way it came finds it.
 static bool find_surface(const Scene *scene, const StoredPhoton *photon, float step, Hit *hit)
 {
@@ -95,8 +108,7 @@ static Site estimate_site(const Scene *scene, const PhotonMap *photons, const St
 static bool estimate_sites(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places, size_t k,
                            Site *sites, size_t count)
 {
-    Vec3 extent = vec3_sub(bvh_bounds(scene->bvh).high, bvh_bounds(scene->bvh).low);
-    float step = 1e-4f * vec3_length(extent);
+    float step = 1e-4f * box_diagonal(bvh_bounds(scene->bvh));
     bool ok = true;
 #pragma omp parallel reduction(&& : ok)
     {
@@ -126,23 +138,25 @@ static float cell_size(const Site *sites, size_t count, size_t photons, size_t k
     return (float)sqrt(area_a_photon * (double)photons / (double)count * (double)ESTIMATES_A_CELL);
 }
 
-static LocalIrradiance scaled(LocalIrradiance local, float factor)
+static void add_weighted(Cell *sum, LocalIrradiance local, float weight)
 {
-    return (LocalIrradiance){colour_scale(local.irradiance, factor), local.radius * factor};
+    sum->mean.irradiance = colour_add(sum->mean.irradiance, colour_scale(local.irradiance, weight));
+    sum->mean.radius += local.radius * weight;
+    sum->weight += weight;
+}
+
+static LocalIrradiance mean_of(const Cell *sum)
+{
+    float share = 1.0f / sum->weight;
+    return (LocalIrradiance){colour_scale(sum->mean.irradiance, share), sum->mean.radius * share};
 }
 
 // A mean over the area of the cell, not over the photons in it, most of which lie where it is bright: weighed by the disk
 // that each of them stands for.
 static void add_site(IrradianceMap *map, const Site *site)
 {
-    uint64_t key = key_of(place_of(map, site->position), facing_of(site->normal));
-    size_t slot = slot_of(map, key);
-    map->keys[slot] = key;
-    float weight = site->local.radius * site->local.radius;
-    LocalIrradiance part = scaled(site->local, weight);
-    map->cells[slot].irradiance = colour_add(map->cells[slot].irradiance, part.irradiance);
-    map->cells[slot].radius += part.radius;
-    map->weights[slot] += weight;
+    Cell *cell = claim_cell(map, place_of(map, site->position), facing_of(site->normal));
+    add_weighted(cell, site->local, site->local.radius * site->local.radius);
 }
 
 static IrradianceMap *map_create(size_t slots, float size)
@@ -150,9 +164,9 @@ static IrradianceMap *map_create(size_t slots, float size)
     IrradianceMap *map = calloc(1, sizeof *map);
     if (!map)
         return NULL;
-    *map = (IrradianceMap){calloc(slots, sizeof *map->keys), calloc(slots, sizeof *map->cells),
-                           calloc(slots, sizeof *map->weights), slots - 1, size};
-    if (map->keys && map->cells && map->weights)
+    *map = (IrradianceMap){calloc(slots, sizeof *map->keys), calloc(slots, sizeof *map->cells), slots - 1,
+                           size};
+    if (map->keys && map->cells)
         return map;
     irradiance_map_free(map);
     return NULL;
@@ -171,8 +185,8 @@ IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons
         if (sites[i].local.radius > 0.0f)
             add_site(map, &sites[i]);
     for (size_t slot = 0; map && slot < slots; slot++)
-        if (map->weights[slot])
-            map->cells[slot] = scaled(map->cells[slot], 1.0f / map->weights[slot]);
+        if (map->cells[slot].weight)
+            map->cells[slot].mean = mean_of(&map->cells[slot]);
     free(sites);
     if (!map)
         error_set(error, "not enough memory for the irradiance of %zu photons", count);
@@ -183,11 +197,8 @@ IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons
 IrradianceMap *irradiance_map_uniform(Colour irradiance)
 {
     IrradianceMap *map = map_create(64, INFINITY);
-    for (int facing = 0; map && facing < 6; facing++) {
-        size_t slot = slot_of(map, key_of((Place){0, 0, 0}, facing));
-        map->keys[slot] = key_of((Place){0, 0, 0}, facing);
-        map->cells[slot].irradiance = irradiance;
-    }
+    for (int facing = 0; map && facing < FACINGS; facing++)
+        claim_cell(map, (Place){0, 0, 0}, facing)->mean.irradiance = irradiance;
     return map;
 }
 
@@ -197,31 +208,26 @@ void irradiance_map_free(IrradianceMap *map)
         return;
     free(map->keys);
     free(map->cells);
-    free(map->weights);
     free(map);
 }
 
 size_t irradiance_map_bytes(const IrradianceMap *map)
 {
-    return (map->mask + 1) * (sizeof *map->keys + sizeof *map->cells + sizeof *map->weights);
+    return (map->mask + 1) * (sizeof *map->keys + sizeof *map->cells);
 }
 
 // Where a cell is empty: the mean over its neighbours.
 static bool find_around(const IrradianceMap *map, Place place, int facing, LocalIrradiance *found)
 {
-    LocalIrradiance sum = {colour_grey(0.0f), 0.0f};
-    float weights = 0.0f;
+    Cell sum = {.weight = 0.0f};
     for (int i = 0; i < 27; i++) {
         Place next = {place.x + i % 3 - 1, place.y + i / 3 % 3 - 1, place.z + i / 9 - 1};
-        size_t slot = slot_of(map, key_of(next, facing));
-        float weight = map->weights[slot]; // 0 in an empty slot
-        sum.irradiance = colour_add(sum.irradiance, colour_scale(map->cells[slot].irradiance, weight));
-        sum.radius += map->cells[slot].radius * weight;
-        weights += weight;
+        const Cell *cell = &map->cells[slot_of(map, key_of(next, facing))];
+        add_weighted(&sum, cell->mean, cell->weight); // 0 in an empty slot
     }
-    if (weights > 0.0f)
-        *found = scaled(sum, 1.0f / weights);
-    return weights > 0.0f;
+    if (sum.weight > 0.0f)
+        *found = mean_of(&sum);
+    return sum.weight > 0.0f;
 }
 
 bool irradiance_map_find(const IrradianceMap *map, Vec3 position, Vec3 normal, LocalIrradiance *found)
@@ -231,6 +237,6 @@ bool irradiance_map_find(const IrradianceMap *map, Vec3 position, Vec3 normal, L
     size_t slot = slot_of(map, key_of(place, facing));
     if (!map->keys[slot])
         return find_around(map, place, facing, found);
-    *found = map->cells[slot];
+    *found = map->cells[slot].mean;
     return true;
 }

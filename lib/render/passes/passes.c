@@ -39,10 +39,8 @@ static bool begin(const Scene *scene, const RenderOptions *options, Passes *pass
     if (passes->radius <= 0.0f && options->integrator != INTEGRATOR_PATH &&
         !pass_first_radius(scene, options, &passes->radius, error))
         return false;
-    if (passes->radius <= 0.0f) { // nobody will find a photon
-        Box all = bvh_bounds(scene->bvh);
-        passes->radius = 0.01f * vec3_length(vec3_sub(all.high, all.low));
-    }
+    if (passes->radius <= 0.0f) // nobody will find a photon
+        passes->radius = 0.01f * box_diagonal(bvh_bounds(scene->bvh));
     if (!passes->by_pixel || passes->points)
         return true;
     size_t pixels = (size_t)options->settings.width * (size_t)options->settings.height;
@@ -50,24 +48,6 @@ static bool begin(const Scene *scene, const RenderOptions *options, Passes *pass
     for (size_t i = 0; passes->points && i < pixels; i++)
         passes->points[i] = (PointStatistics){0.0f, passes->radius, {0.0f, 0.0f, 0.0f}};
     return passes->points || error_set(error, "not enough memory for the statistics of %zu pixels", pixels);
-}
-
-static void add_stats(RenderStats *sum, const RenderStats *pass)
-{
-    RenderStats all = *pass; // the ledger's, the map's size
-    all.photons_emitted += sum->photons_emitted;
-    all.photons_stored += sum->photons_stored;
-    all.photon_rays += sum->photon_rays;
-    all.eye_rays += sum->eye_rays;
-    all.photon_seconds += sum->photon_seconds;
-    all.build_seconds += sum->build_seconds;
-    all.eye_seconds += sum->eye_seconds;
-    all.gather_seconds += sum->gather_seconds;
-    all.estimates += sum->estimates;
-    all.passes = sum->passes + 1;
-    all.unsound = sum->unsound;
-    unsound_paths_add(&all.unsound, &pass->unsound);
-    *sum = all;
 }
 
 static bool run_pass(const Scene *scene, const RenderOptions *options, Passes *passes, float radius, RenderStats *stats,
@@ -85,10 +65,9 @@ static bool run_pass(const Scene *scene, const RenderOptions *options, Passes *p
     own.pass = &pass;
     own.seed = seed_of(options->seed, number);
     PassRun run = {number, 1, {0, 0, NULL}};
-    RenderStats of_pass;
-    if (!render_image(scene, &own, &run.mean, &of_pass, error))
+    if (!render_image(scene, &own, &run.mean, stats, error))
         return false;
-    add_stats(stats, &of_pass);
+    stats->passes++;
     pass_sums_add(&passes->sums, run);
     passes->done++;
     return true;
