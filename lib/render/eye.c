@@ -51,6 +51,23 @@ Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo)
     return radiance;
 }
 
+// Photons of a map within the radius of the pixel's point, as this much of their light reaches the eye: step 1.6 without a kernel
+// and without its division, since the radius is to shrink (step 5.3).
+static void point_collect(Eye *eye, const PhotonMap *map, const Hit *hit, Vec3 wo, Colour weight)
+{
+    float radius;
+    size_t near = gather_near(map, hit->position, &eye->gather, &radius);
+    Colour sum = colour_grey(0.0f);
+    for (size_t i = 0; i < near; i++) {
+        const StoredPhoton *photon = eye->gather.near[i].photon;
+        if (!stored_photon_on_side(photon, hit->normal))
+            continue;
+        sum = colour_add(sum, colour_mul(gather_brdf(&eye->gather, hit, photon, wo), photon->power));
+        eye->found++;
+    }
+    eye->flux = colour_add(eye->flux, colour_mul(weight, sum));
+}
+
 Colour eye_follow(Eye *eye, const Hit *hit, Vec3 direction, Colour share, EyeRay carried)
 {
     Colour onward = colour_mul(carried.weight, share);

@@ -68,9 +68,6 @@ Colour eye_glass(Eye *eye, const Hit *hit, Vec3 direction, EyeRay carried);
 // Light of the caustic map.
 Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo);
 
-// Photons of a map within the radius of the pixel's point, as this much of their light reaches the eye.
-void point_collect(Eye *eye, const PhotonMap *map, const Hit *hit, Vec3 wo, Colour weight);
-
 // Draws wi for a rough surface from (choice, u, v) in [0,1)³: a lobe about wo's mirror direction with probability
 // lobe_share, otherwise the cosine hemisphere; *pdf is the density of the mixture. False when the draw fell below the
 // surface.

@@ -9,26 +9,17 @@
 
 #define FIRST_LINE   "photonlab passes 1"
 #define MOST_BYTES   ((size_t)1 << 40)
-#define POINT_FLOATS 5
-
-static size_t floats_of(const Passes *passes, size_t pixels)
-{
-    return 1 + pixels * (3 * (size_t)passes->sums.count + (passes->by_pixel ? POINT_FLOATS : 0));
-}
+#define POINT_FLOATS (sizeof(PointStatistics) / sizeof(float))
 
 // ---- writing ----
 
-static void put_float(FILE *stream, float value)
+static void put_floats(FILE *stream, const void *floats, size_t count)
 {
-    unsigned char bytes[4];
-    file_put_float(bytes, value);
-    fwrite(bytes, 1, sizeof bytes, stream);
-}
-
-static void put_colour(FILE *stream, Colour colour)
-{
-    for (int c = 0; c < 3; c++)
-        put_float(stream, colour_channel(colour, c));
+    for (size_t i = 0; i < count; i++) {
+        unsigned char bytes[4];
+        file_put_float(bytes, ((const float *)floats)[i]);
+        fwrite(bytes, 1, sizeof bytes, stream);
+    }
 }
 
 bool pass_file_write(const char *path, const PassOrigin *origin, const Passes *passes, Error *error)
@@ -47,15 +38,11 @@ bool pass_file_write(const char *path, const PassOrigin *origin, const Passes *p
     for (int i = 0; i < sums->count; i++)
         fprintf(writer.stream, " %d", sums->runs[i].count);
     fprintf(writer.stream, "\n");
-    put_float(writer.stream, passes->radius);
+    put_floats(writer.stream, &passes->radius, 1);
     for (int i = 0; i < sums->count; i++)
-        for (size_t p = 0; p < pixels; p++)
-            put_colour(writer.stream, sums->runs[i].mean.pixels[p]);
-    for (size_t p = 0; passes->by_pixel && p < pixels; p++) {
-        put_float(writer.stream, passes->points[p].count);
-        put_float(writer.stream, passes->points[p].radius);
-        put_colour(writer.stream, passes->points[p].flux);
-    }
+        put_floats(writer.stream, sums->runs[i].mean.pixels, 3 * pixels);
+    if (passes->by_pixel)
+        put_floats(writer.stream, passes->points, POINT_FLOATS * pixels);
     return file_write_end(&writer, true, error);
 }
 
@@ -86,22 +73,14 @@ static bool take_line(Reader *reader, char *line, size_t size)
     return true;
 }
 
-static float take_float(Reader *reader)
+static void take_floats(Reader *reader, void *floats, size_t count)
 {
-    float value;
-    uint32_t bits = 0;
-    for (int i = 0; i < 4; i++)
-        bits |= (uint32_t)*reader->at++ << (8 * i);
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static Colour take_colour(Reader *reader)
-{
-    float r = take_float(reader);
-    float g = take_float(reader);
-    float b = take_float(reader);
-    return colour(r, g, b);
+    for (size_t i = 0; i < count; i++) {
+        uint32_t bits = 0;
+        for (int byte = 0; byte < 4; byte++)
+            bits |= (uint32_t)*reader->at++ << (8 * byte);
+        memcpy((float *)floats + i, &bits, sizeof bits);
+    }
 }
 
 // "part 3/8 of 64 passes: 8 done, 512x512, 1 eye rays a pixel, radii by pass, runs of 4 4"
@@ -133,27 +112,24 @@ static bool take_numbers(Reader *reader, PassOrigin *origin, Passes *passes, int
            damaged(reader, "its numbers cannot be");
 }
 
-static bool take_floats(Reader *reader, Passes *passes, const int size[2])
+static bool take_pictures(Reader *reader, Passes *passes, const int size[2])
 {
     size_t pixels = (size_t)size[0] * (size_t)size[1];
-    if ((size_t)(reader->end - reader->at) != 4 * floats_of(passes, pixels))
+    size_t floats = 1 + pixels * (3 * (size_t)passes->sums.count + (passes->by_pixel ? POINT_FLOATS : 0));
+    if ((size_t)(reader->end - reader->at) != 4 * floats)
         return damaged(reader, "is cut off, or longer than it says");
-    for (int i = 0; i < passes->sums.count; i++)
-        if (!image_create(&passes->sums.runs[i].mean, size[0], size[1], reader->error))
+    take_floats(reader, &passes->radius, 1);
+    for (int i = 0; i < passes->sums.count; i++) {
+        Image *mean = &passes->sums.runs[i].mean;
+        if (!image_create(mean, size[0], size[1], reader->error))
             return false;
-    passes->radius = take_float(reader);
-    for (int i = 0; i < passes->sums.count; i++)
-        for (size_t p = 0; p < pixels; p++)
-            passes->sums.runs[i].mean.pixels[p] = take_colour(reader);
+        take_floats(reader, mean->pixels, 3 * pixels);
+    }
     if (!passes->by_pixel)
         return true;
     if (!(passes->points = malloc(pixels * sizeof *passes->points)))
         return error_set(reader->error, "%s: no memory for %zu points", reader->path, pixels);
-    for (size_t p = 0; p < pixels; p++) {
-        passes->points[p].count = take_float(reader);
-        passes->points[p].radius = take_float(reader);
-        passes->points[p].flux = take_colour(reader);
-    }
+    take_floats(reader, passes->points, POINT_FLOATS * pixels);
     return true;
 }
 
@@ -173,7 +149,7 @@ bool pass_file_read(const char *path, PassOrigin *origin, Passes *passes, Error 
               take_line(&reader, origin->scene, sizeof origin->scene) &&
               take_line(&reader, origin->settings, sizeof origin->settings) &&
               take_line(&reader, origin->code, sizeof origin->code) && take_numbers(&reader, origin, passes, size) &&
-              take_floats(&reader, passes, size);
+              take_pictures(&reader, passes, size);
     free(text);
     if (!ok)
         passes_free(passes);
