@@ -14,22 +14,24 @@ static inline Vec3 sample_disk(float u, float v)
     return vec3(r * cosf(phi), r * sinf(phi), 0.0f);
 }
 
+// The unit vector of height z that a share `turn` of a whole turn about z leads to.
+static inline Vec3 direction_at(float z, float turn)
+{
+    float r = sqrtf(fmaxf(0.0f, 1.0f - z * z));
+    float phi = 2.0f * PI * turn;
+    return vec3(r * cosf(phi), r * sinf(phi), z);
+}
+
 // Uniform on the unit sphere; density 1/(4π).
 static inline Vec3 sample_sphere(float u, float v)
 {
-    float z = 1.0f - 2.0f * u;
-    float r = sqrtf(fmaxf(0.0f, 1.0f - z * z));
-    float phi = 2.0f * PI * v;
-    return vec3(r * cosf(phi), r * sinf(phi), z);
+    return direction_at(1.0f - 2.0f * u, v);
 }
 
 // Uniform in the cone of directions about z with cosine of the half angle cos_max; density 1/(2π(1−cos_max)).
 static inline Vec3 sample_cone(float cos_max, float u, float v)
 {
-    float z = 1.0f - u * (1.0f - cos_max);
-    float r = sqrtf(fmaxf(0.0f, 1.0f - z * z));
-    float phi = 2.0f * PI * v;
-    return vec3(r * cosf(phi), r * sinf(phi), z);
+    return direction_at(1.0f - u * (1.0f - cos_max), v);
 }
 
 // Cosine-weighted about n: a point on the disk, lifted to the hemisphere (Malley's method); density cosθ/π.

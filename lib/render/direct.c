@@ -46,10 +46,7 @@ bool sample_rough(const Hit *hit, Vec3 wo, float lobe_share, float choice, float
     Vec3 mirror = mirror_direction(vec3_negate(wo), hit->normal);
     if (choice < lobe_share) {
         Frame frame = frame_about(mirror);
-        float cos_alpha = powf(1.0f - u, 1.0f / (exponent + 1.0f));
-        float sin_alpha = sqrtf(fmaxf(0.0f, 1.0f - cos_alpha * cos_alpha));
-        float phi = 2.0f * PI * v;
-        *wi = frame_to_world(&frame, vec3(sin_alpha * cosf(phi), sin_alpha * sinf(phi), cos_alpha));
+        *wi = frame_to_world(&frame, direction_at(powf(1.0f - u, 1.0f / (exponent + 1.0f)), v));
     } else {
         *wi = sample_cosine(hit->normal, u, v);
     }

@@ -15,13 +15,11 @@ static void glass_way(const Eye *eye, const Hit *hit, Vec3 direction, float inde
                       float *through)
 {
     bool front_only = eye->options->glass_sides == 1;
-    if (front_only && !hit->entering) { // as if the glass had no back
-        *refracted = direction;
-        *reflected = 0.0f;
-        *through = 1.0f;
-        return;
-    }
     *refracted = direction;
+    *reflected = 0.0f;
+    *through = 1.0f;
+    if (front_only && !hit->entering) // as if the glass had no back
+        return;
     *reflected = glass_optics(hit, direction, index, refracted);
     // Radiance is squeezed into the denser side's narrower cone: L/n² stays the same along a ray (Veach 1996).
     float eta = hit->entering ? 1.0f / index : index;

@@ -10,15 +10,13 @@ LightChance *light_chances(const Scene *scene)
     LightChance *chances = calloc(scene->light_count, sizeof *chances);
     if (!chances)
         return NULL;
-    double total = 0.0;
+    double total = 0.0, sum = 0.0;
     for (size_t i = 0; i < scene->light_count; i++)
         total += (double)colour_sum(scene->lights[i].power);
-    double sum = 0.0;
     for (size_t i = 0; i < scene->light_count; i++) {
         double power = (double)colour_sum(scene->lights[i].power);
         sum += power;
-        chances[i].probability = (float)(power / total);
-        chances[i].up_to = (float)(sum / total);
+        chances[i] = (LightChance){(float)(power / total), (float)(sum / total)};
     }
     return chances;
 }
@@ -41,31 +39,21 @@ Photon light_emit(const Light *light, Rng *rng)
     float u = rng_float(rng);
     float v = rng_float(rng);
     Vec3 position = light->position, direction = light->direction;
-    switch (light->type) {
-    case LIGHT_RECTANGLE: // returned above
-        break;
-    case LIGHT_BEAM: {
+    if (light->type == LIGHT_BEAM) {
         Vec3 spot = sample_disk(u, v);
         position = vec3_along(position, light->edge_u, spot.x * light->radius);
         position = vec3_along(position, light->edge_v, spot.y * light->radius);
-        break;
-    }
-    case LIGHT_SPOT: {
+    } else if (light->type == LIGHT_SPOT) {
         Frame frame = frame_about(light->direction);
         direction = frame_to_world(&frame, sample_cone(light->cos_cone, u, v));
-        break;
+    } else {
+        direction = sample_sphere(u, v); // of a sphere: where on it
     }
-    case LIGHT_POINT:
-        direction = sample_sphere(u, v);
-        break;
-    case LIGHT_SPHERE: {
-        Vec3 outward = sample_sphere(u, v);
-        float s = rng_float(rng);
-        float t = rng_float(rng);
-        position = vec3_along(position, outward, light->radius);
-        direction = sample_cosine(outward, s, t);
-        break;
-    }
+    if (light->type == LIGHT_SPHERE) {
+        u = rng_float(rng);
+        v = rng_float(rng);
+        position = vec3_along(position, direction, light->radius);
+        direction = sample_cosine(direction, u, v);
     }
     return photon_create(position, direction, light->power);
 }

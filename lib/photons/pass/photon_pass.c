@@ -51,14 +51,8 @@ static void trace_chunk(PhotonTrace *trace, const LightChance *chances, long fir
 
 static void ledger_add(Ledger *sum, const Ledger *part)
 {
-    for (int c = 0; c < 3; c++) {
-        sum->emitted[c] += part->emitted[c];
-        sum->absorbed[c] += part->absorbed[c];
-        sum->escaped[c] += part->escaped[c];
-        sum->cut[c] += part->cut[c];
-        sum->chance[c] += part->chance[c];
-        sum->chance_error[c] += part->chance_error[c];
-    }
+    for (size_t i = 0; i < sizeof *sum / sizeof(double); i++) // it holds nothing else
+        ((double *)sum)[i] += ((const double *)part)[i];
 }
 
 void unsound_paths_add(UnsoundPaths *sum, const UnsoundPaths *part)
@@ -81,17 +75,12 @@ static void close_books(PhotonPass *pass)
     }
 }
 
-static long last_path(const PhotonPassOptions *options)
-{
-    return options->last > 0 ? options->last : options->photons;
-}
-
 // A pass while it goes on. Who traced the next chunk in the order takes all that are traced from there on, finds places in
 // the joined arrays for their photons, and copies these while others trace and copy.
 typedef struct {
     const Scene *scene;
     const PhotonPassOptions *options;
-    const LightChance *chances;
+    LightChance *chances;
     PhotonPass *pass;
     PhotonTrace *chunks;
     long all, traced, joined; // chunks
@@ -181,9 +170,8 @@ static void copy(PassState *now, PhotonTrace *chunk)
 // it again: what the system has to find and clear for photons that are only copied on would cost a tenth of the pass.
 static void trace_some(PassState *now)
 {
-    long end = last_path(now->options);
-    StoredPhoton *spare = NULL;
-    size_t capacity = 0;
+    long end = now->options->first + now->pass->emitted;
+    PhotonTrace spare = {.photons = NULL};
 #pragma omp for schedule(dynamic)
     for (long i = 0; i < now->all; i++) {
         bool going;
@@ -192,39 +180,36 @@ static void trace_some(PassState *now)
         if (!going)
             continue;
         PhotonTrace trace = {.scene = now->scene, .options = now->options, .traced = true};
-        trace.photons = spare;
-        trace.capacity = capacity;
+        trace.photons = spare.photons;
+        trace.capacity = spare.capacity;
+        spare = (PhotonTrace){.photons = NULL};
         long first = now->options->first + i * CHUNK, last;
         trace_chunk(&trace, now->chances, first, first + CHUNK < end ? first + CHUNK : end);
-        spare = NULL;
-        capacity = 0;
 #pragma omp critical(photon_pass_join)
         join_traced(now, i, &trace, &first, &last);
         for (long j = first; j < last; j++) {
             PhotonTrace *chunk = &now->chunks[j];
             copy(now, chunk);
-            free(spare);
-            spare = chunk->photons;
-            capacity = chunk->capacity;
+            free(spare.photons);
+            spare = *chunk;
             chunk->photons = NULL;
         }
         if (last > first)
 #pragma omp atomic update seq_cst
             now->copying--;
     }
-    free(spare);
+    free(spare.photons);
 }
 
 bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, PhotonPass *pass, Error *error)
 {
-    *pass = (PhotonPass){.emitted = last_path(options) - options->first};
+    *pass = (PhotonPass){.emitted = (options->last > 0 ? options->last : options->photons) - options->first};
     double start = clock_seconds();
     PassState now = {.scene = scene, .options = options, .pass = pass, .all = (pass->emitted + CHUNK - 1) / CHUNK};
     now.part_caustics = (options->keep & KEEP_CAUSTIC) && !(options->keep & KEEP_DIRECT);
     now.chunks = calloc((size_t)now.all, sizeof *now.chunks);
-    LightChance *chances = light_chances(scene);
-    now.chances = chances;
-    now.enough = now.chunks && chances;
+    now.chances = light_chances(scene);
+    now.enough = now.chunks && now.chances;
     if (now.enough)
 #pragma omp parallel num_threads(parallel_threads(options->threads))
         trace_some(&now);
@@ -233,7 +218,7 @@ bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, Photo
     for (long i = 0; now.chunks && i < now.all; i++)
         free(now.chunks[i].photons);
     free(now.chunks);
-    free(chances);
+    free(now.chances);
     pass->seconds = clock_seconds() - start;
     if (!ok) {
         photon_pass_free(pass);
