@@ -83,19 +83,4 @@ static inline void swap_bytes(void *a, void *b, size_t size)
 // the box's longest side than any of the others. `values`: scratch for one float per photon.
 void photon_map_halve(StoredPhoton *photons, size_t count, Box box, size_t rank, float *values);
 
-// Appends the photons nearer than the limit; `near` must hold all `count`. Each is written, and stays if
-// it was near enough: a branch would be mispredicted every few photons.
-static inline size_t collect(const StoredPhoton *photons, size_t count, Vec3 point, float limit, NearPhoton *near)
-{
-    size_t found = 0;
-    for (size_t i = 0; i < count; i++) {
-        Vec3 d = vec3_sub(photons[i].position, point);
-        float distance2 = vec3_dot(d, d);
-        near[found].photon = &photons[i];
-        near[found].distance2 = distance2;
-        found += distance2 < limit;
-    }
-    return found;
-}
-
 #endif

@@ -111,12 +111,19 @@ static inline void push_children(Search *search, size_t number)
     }
 }
 
+// Appends a leaf's photons that are near enough. Each is written, and stays if it was: a branch would be mispredicted every few
+// photons.
 static inline void search_leaf(Search *search, size_t leaf)
 {
     const PhotonMap *map = search->map;
-    size_t begin = leaf_begin(map, leaf);
-    size_t count = leaf_begin(map, leaf + 1) - begin;
-    search->found += collect(map->photons + begin, count, search->point, search->limit, search->near + search->found);
+    size_t end = leaf_begin(map, leaf + 1), found = search->found;
+    for (size_t i = leaf_begin(map, leaf); i < end; i++) {
+        Vec3 offset = vec3_sub(map->photons[i].position, search->point);
+        float distance2 = vec3_dot(offset, offset);
+        search->near[found] = (NearPhoton){&map->photons[i], distance2};
+        found += distance2 < search->limit;
+    }
+    search->found = found;
     if (search->found + LEAF_PHOTONS > PHOTON_MAP_NEAREST_CAPACITY(search->k)) {
         search->limit = keep_nearest(search->near, search->found, search->k);
         search->found = search->k;

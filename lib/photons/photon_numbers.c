@@ -78,14 +78,11 @@ PhotonNumbers *photon_numbers_read(const char *path, PhotonNumbersHead *head, si
         size >= start && memcmp(bytes, MAGIC, strlen(MAGIC)) == 0 && (size - start) % sizeof(PhotonNumbers) == 0;
     if (whole)
         memcpy(head, bytes + strlen(MAGIC), sizeof *head);
-    PhotonNumbers *photons = NULL;
-    if (!whole || !photon_number_is_whole(head->emitted, 1e8) || head->emitted < 1.0f)
+    if (!whole || !photon_number_is_whole(head->emitted, 1e8) || head->emitted < 1.0f) {
+        free(bytes);
         error_set(error, "%s: is no file of photons", path);
-    else if (!(photons = malloc(size - start + 1)))
-        error_set(error, "%s: not enough memory", path);
-    else
-        memcpy(photons, bytes + start, size - start);
-    *count = photons ? (size - start) / sizeof *photons : 0;
-    free(bytes);
-    return photons;
+        return NULL;
+    }
+    *count = (size - start) / sizeof(PhotonNumbers);
+    return memmove(bytes, bytes + start, size - start); // to where malloc has aligned it
 }
