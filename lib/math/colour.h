@@ -65,4 +65,11 @@ static inline void colour_set_channel(Colour *a, int channel, float value)
         a->b = value;
 }
 
+static inline Colour colour_only(int channel, float value)
+{
+    Colour result = colour_grey(0.0f);
+    colour_set_channel(&result, channel, value);
+    return result;
+}
+
 #endif

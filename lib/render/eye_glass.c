@@ -3,13 +3,6 @@
 
 #define SPLIT_WEIGHT 0.25f // both ways are followed while the ray still carries this much
 
-static Colour only_channel(int channel, float value)
-{
-    Colour result = colour_grey(0.0f);
-    colour_set_channel(&result, channel, value);
-    return result;
-}
-
 // What glass does with one index: the refracted direction and the shares of radiance that come from either way.
 static void glass_way(const Eye *eye, const Hit *hit, Vec3 direction, float index, Vec3 *refracted, float *reflected,
                       float *through)
@@ -87,8 +80,8 @@ Colour eye_glass(Eye *eye, const Hit *hit, Vec3 direction, EyeRay carried)
     for (int i = 0; i < ways; i++) {
         float r, t;
         glass_way(eye, hit, direction, hit->material->index[first + i], &refracted[i], &r, &t);
-        reflected = splits ? colour_add(reflected, only_channel(i, r)) : colour_grey(r);
-        through[i] = splits ? only_channel(i, t) : colour_grey(t);
+        reflected = splits ? colour_add(reflected, colour_only(i, r)) : colour_grey(r);
+        through[i] = splits ? colour_only(i, t) : colour_grey(t);
     }
 
     float take_reflected, take_through;

@@ -18,11 +18,8 @@ Colour gather_send(GatherTrace *trace, Ray ray, Rng *rng)
     trace->is_sent = true;
     trace->channel = -1;
     Colour brought = steps.gather_radiance(trace, ray, rng);
-    if (trace->channel < 0)
-        return brought;
-    Colour of_channel = colour_grey(0.0f);
-    colour_set_channel(&of_channel, trace->channel, 3.0f * colour_channel(brought, trace->channel));
-    return of_channel;
+    int channel = trace->channel;
+    return channel < 0 ? brought : colour_only(channel, 3.0f * colour_channel(brought, channel));
 }
 
 // Draws a channel where there is none, and shows glass of its index for all colours.

@@ -12,8 +12,7 @@ static Colour sample_glass(Eye *eye, const Hit *hit, Vec3 *direction, int *chann
     Colour factor = colour_grey(1.0f);
     if (glass->disperses && *channel < 0) {
         *channel = (int)(rng_float(&eye->rng) * 3.0f);
-        factor = colour_grey(0.0f);
-        colour_set_channel(&factor, *channel, 3.0f);
+        factor = colour_only(*channel, 3.0f);
     }
     float index = glass->index[*channel < 0 ? 0 : *channel];
     Vec3 refracted;

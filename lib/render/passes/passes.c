@@ -51,19 +51,6 @@ void pass_sums_free(PassSums *sums)
         image_free(&sums->runs[--sums->count].mean);
 }
 
-static uint64_t seed_of(uint64_t seed, int pass)
-{
-    return hash_u64(seed + hash_u64((uint64_t)pass));
-}
-
-// From pass number i, counted from 1, to the next by step 5.1.
-static bool shrink(float *radius, int i, float alpha, Error *error)
-{
-    *radius = steps.next_radius(*radius, i, alpha);
-    return (*radius > 0.0f && *radius < INFINITY) ||
-           error_set(error, "step 5.1 gives pass %d a radius of %g m", i + 1, (double)*radius);
-}
-
 // Means are kept for as many runs as the number of passes has digits in base two, ten where nobody knows it; and a few more.
 static bool has_room(const RenderOptions *options, const Passes *passes, Error *error)
 {
@@ -80,7 +67,7 @@ static bool begin(const Scene *scene, const RenderOptions *options, Passes *pass
 {
     if (!has_room(options, passes, error))
         return false;
-    if (passes->radius <= 0.0f && options->settings.radius > 0.0f)
+    if (passes->radius <= 0.0f)
         passes->radius = options->settings.radius;
     if (passes->radius <= 0.0f && options->integrator != INTEGRATOR_PATH &&
         !pass_first_radius(scene, options, &passes->radius, error))
@@ -109,7 +96,7 @@ static bool run_pass(const Scene *scene, const RenderOptions *options, Passes *p
     };
     RenderOptions own = *options;
     own.pass = &pass;
-    own.seed = seed_of(options->seed, number);
+    own.seed = hash_u64(options->seed + hash_u64((uint64_t)number));
     PassRun run = {number, 1, {0, 0, NULL}};
     if (!render_image(scene, &own, &run.mean, stats, error))
         return false;
@@ -131,9 +118,11 @@ bool passes_run(const Scene *scene, const RenderOptions *options, Passes *passes
         if (passes->by_pixel && passes->done >= INT_MAX / passes->samples)
             return error_set(error, "more than %d passes of %d eye rays a pixel cannot be counted", passes->done,
                              passes->samples);
-        for (; !passes->by_pixel && shrunk < passes->first + passes->done; shrunk++)
-            if (!shrink(&radius, shrunk + 1, passes->alpha, error))
-                return false;
+        for (; !passes->by_pixel && shrunk < passes->first + passes->done; shrunk++) {
+            radius = steps.next_radius(radius, shrunk + 1, passes->alpha);
+            if (!(radius > 0.0f && radius < INFINITY))
+                return error_set(error, "step 5.1 gives pass %d a radius of %g m", shrunk + 2, (double)radius);
+        }
         if (!run_pass(scene, options, passes, radius, stats, error))
             return false;
         if (passes->heard && !passes->heard(passes->user, passes))
