@@ -11,33 +11,28 @@
 
 // Which steps give directions at which surface; where none of those is the student's, the loops are suspected.
 static const struct {
-    const char *place;
-    const char *steps[6];
+    const char *place, *steps;
 } sources[MATERIAL_TYPES] = {
-    [MATERIAL_DIFFUSE] = {"a diffuse surface", {"1.3", NULL}},
-    [MATERIAL_GLOSSY] = {"a glossy surface", {"1.3", "2.1", "2.2", "2.3", "2.4", NULL}},
-    [MATERIAL_MIRROR] = {"a mirror", {"1.1", NULL}},
-    [MATERIAL_GLASS] = {"glass", {"1.1", "3.1", NULL}},
-    [MATERIAL_LIGHT] = {"the light", {"1.2", "1.3", NULL}},
+    [MATERIAL_DIFFUSE] = {"a diffuse surface", "1.3"},
+    [MATERIAL_GLOSSY] = {"a glossy surface", "1.3 2.1 2.2 2.3 2.4"},
+    [MATERIAL_MIRROR] = {"a mirror", "1.1"},
+    [MATERIAL_GLASS] = {"glass", "1.1 3.1"},
+    [MATERIAL_LIGHT] = {"the light", "1.2 1.3"},
 };
-static const char *const loops[] = {"1.5", "3.4", "6.4", NULL};
-// The steps that decide a photon's power, or whether it goes on.
-static const char *const weights[] = {"1.4", "1.5", "2.1", "2.2", "2.3", "2.4", "3.1", "3.2",
-                                      "3.3", "3.4", "3.5", "6.1", "6.2", "6.4", NULL};
+#define LOOPS   "1.5 3.4 6.4"
+#define WEIGHTS "1.4 1.5 2.1 2.2 2.3 2.4 3.1 3.2 3.3 3.4 3.5 6.1 6.2 6.4" // decide power, or who goes on
 
 // "your step 1.3 (scatter_diffuse)", "one of your steps 1.3, 2.4"; false: none of these is the student's.
-static bool name_suspects(const char *const *ids, const StepState *states, char *text, size_t size)
+static bool name_suspects(const char *ids, const StepState *states, char *text, size_t size)
 {
     const StepInfo *only = NULL;
     char list[64] = "";
     int count = 0;
-    for (; *ids; ids++) {
-        const StepInfo *step = step_find(*ids);
-        if (states[step - step_table] != STEP_STUDENT)
-            continue;
-        text_append(list, sizeof list, "%s%s", count++ > 0 ? ", " : "", step->id);
-        only = step;
-    }
+    for (size_t i = 0; i < STEP_COUNT; i++)
+        if (states[i] == STEP_STUDENT && step_is_listed(ids, step_table[i].id)) {
+            only = &step_table[i];
+            text_append(list, sizeof list, "%s%s", count++ > 0 ? ", " : "", only->id);
+        }
     if (count == 1)
         snprintf(text, size, "your step %s (%s)", only->id, only->symbol);
     else
@@ -52,7 +47,7 @@ static void describe_unsound(const UnsoundPaths *unsound, const StepState *state
         if (unsound->at[i] > unsound->at[most])
             most = i;
     char who[96], length[32] = "no number (NaN)";
-    if (!name_suspects(sources[most].steps, states, who, sizeof who) && !name_suspects(loops, states, who, sizeof who))
+    if (!name_suspects(sources[most].steps, states, who, sizeof who) && !name_suspects(LOOPS, states, who, sizeof who))
         snprintf(who, sizeof who, "a step");
     if (!isnan(unsound->length))
         snprintf(length, sizeof length, "%.3g", (double)unsound->length);
@@ -67,7 +62,7 @@ static void describe_energy(const Ledger *ledger, const StepState *states, char 
 {
     static const char *const names[] = {"red", "green", "blue"};
     char who[96];
-    if (!name_suspects(weights, states, who, sizeof who))
+    if (!name_suspects(WEIGHTS, states, who, sizeof who))
         snprintf(who, sizeof who, "the steps");
     for (int c = 0; c < 3; c++) {
         double chance = ledger->chance[c], error = ledger->chance_error[c];

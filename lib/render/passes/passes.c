@@ -1,11 +1,15 @@
 #include "render/passes/passes.h"
 #include "base/array.h"
 #include "base/parallel.h"
+#include "render/maps.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define ACROSS  32     // points of the picture, in both directions
+#define PHOTONS 100000 // looked at, at most: the more there are, the smaller the disk for k
 
 // a becomes the mean over both.
 static void join(Image *a, int m, const Image *b, int n)
@@ -63,6 +67,55 @@ static bool has_room(const RenderOptions *options, const Passes *passes, Error *
                      passes->last - passes->first);
 }
 
+static int compare(const void *a, const void *b)
+{
+    float x = *(const float *)a;
+    float y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+// Among the disks with k photons of `looked_at`, around what eye rays meet first where that is rough, the median one; a pass has
+// more photons, and so a smaller disk.
+static bool median_radius(const Scene *scene, const RenderSettings *settings, const PhotonMap *map, long looked_at,
+                          float *radius, Error *error)
+{
+    size_t k = (size_t)settings->k, count = 0;
+    NearPhoton *near = malloc(PHOTON_MAP_NEAREST_CAPACITY(k) * sizeof *near);
+    float distance2[ACROSS * ACROSS], aspect = (float)settings->width / (float)settings->height;
+    if (!near)
+        return error_set(error, "not enough memory for %zu photons in an estimate; use a smaller k", k);
+    for (int i = 0; i < ACROSS * ACROSS; i++) {
+        Ray ray = camera_ray(&scene->camera, ((float)(i % ACROSS) + 0.5f) / ACROSS,
+                             ((float)(i / ACROSS) + 0.5f) / ACROSS, aspect);
+        Hit hit;
+        distance2[count] = INFINITY;
+        count += scene_intersect(scene, &ray, &hit) && material_is_rough(hit.material) &&
+                 photon_map_nearest(map, hit.position, k, &distance2[count], near) == k;
+    }
+    free(near);
+    qsort(distance2, count, sizeof *distance2, compare);
+    *radius = count ? sqrtf(distance2[count / 2] * (float)looked_at / (float)settings->photons) : 0.0f;
+    return true;
+}
+
+// A radius within which a typical point that the eye sees finds settings.k photons of one pass, m. 0: there are none.
+static bool first_radius(const Scene *scene, const RenderOptions *options, float *radius, Error *error)
+{
+    RenderOptions few = *options;
+    few.integrator = INTEGRATOR_PHOTONS;
+    few.settings.photons = options->settings.photons < PHOTONS ? options->settings.photons : PHOTONS;
+    Maps maps = {NULL, NULL, NULL};
+    RenderStats stats = {0};
+    bool ok = maps_make(scene, &few, &maps, &stats, error);
+    if (ok) {
+        const PhotonMap *larger =
+            photon_map_count(maps.rest) >= photon_map_count(maps.caustic) ? maps.rest : maps.caustic;
+        ok = median_radius(scene, &options->settings, larger, few.settings.photons, radius, error);
+    }
+    maps_free(&maps);
+    return ok;
+}
+
 static bool begin(const Scene *scene, const RenderOptions *options, Passes *passes, Error *error)
 {
     if (!has_room(options, passes, error))
@@ -70,7 +123,7 @@ static bool begin(const Scene *scene, const RenderOptions *options, Passes *pass
     if (passes->radius <= 0.0f)
         passes->radius = options->settings.radius;
     if (passes->radius <= 0.0f && options->integrator != INTEGRATOR_PATH &&
-        !pass_first_radius(scene, options, &passes->radius, error))
+        !first_radius(scene, options, &passes->radius, error))
         return false;
     if (passes->radius <= 0.0f) // nobody will find a photon
         passes->radius = 0.01f * box_diagonal(bvh_bounds(scene->bvh));

@@ -60,8 +60,4 @@ bool passes_picture(const Passes *passes, Image *image, Error *error);
 
 void passes_free(Passes *passes);
 
-// A radius within which a typical point that the eye sees finds settings.k photons of one pass, m. 0: there are none. False
-// when memory is short.
-bool pass_first_radius(const Scene *scene, const RenderOptions *options, float *radius, Error *error);
-
 #endif
