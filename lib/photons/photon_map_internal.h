@@ -17,8 +17,7 @@ enum {
     STACK_CAPACITY = 96 // a walk leaves at most three children waiting on each of 32 levels
 };
 
-// The boxes around four children's photons. An empty box (low = ∞, high = −∞) is infinitely far from
-// everything.
+// The boxes around four children's photons. An empty box (low = ∞, high = −∞) is infinitely far from everything.
 typedef struct {
     float low[3][4], high[3][4]; // x, y, z
 } MapNode;
@@ -66,9 +65,8 @@ static inline void node_distances(const MapNode *node, Vec3 point, float distanc
     }
 }
 
-// Swaps two structs of `size` bytes (a constant, at most 32; they may be the same) as blocks. Swapped as
-// structs, compilers write them field by field, and a wide load soon after waits for all the narrow stores:
-// twice as slow.
+// Swaps two structs of `size` bytes (a constant, at most 32; they may be the same) as blocks. Swapped as structs,
+// compilers write them field by field, and a wide load soon after waits for all the narrow stores: twice as slow.
 static inline void swap_bytes(void *a, void *b, size_t size)
 {
     unsigned char held_a[32];

@@ -36,9 +36,8 @@ static size_t split_near(NearPhoton *near, size_t count, float pivot)
     return below;
 }
 
-// Brings the k nearest to the front and returns the distance² of the farthest of them. Quickselect (Hoare
-// 1961) whose first pivots are guesses: around a point on a surface the number of photons grows like
-// distance².
+// Brings the k nearest to the front and returns the distance² of the farthest of them. Quickselect (Hoare 1961) whose
+// first pivots are guesses: around a point on a surface the number of photons grows like distance².
 static float keep_nearest(NearPhoton *near, size_t count, size_t k)
 {
     enum { GUESSES = 4 };

@@ -54,8 +54,7 @@ Colour eye_radiance(Eye *eye, const Ray *ray);
 // The same by path tracing; uses no step and no map.
 Colour path_radiance(Eye *eye, Ray ray);
 
-// Radiance towards wo that the surface at `hit` reflects of light straight from the sources, by one shadow ray to
-// each.
+// Radiance towards wo that the surface at `hit` reflects of light straight from the sources, by one shadow ray to each.
 Colour direct_light(Eye *eye, const Hit *hit, Vec3 wo);
 
 // One way on from a surface, by a share of what the ray carries. Faint rays play roulette.
@@ -73,9 +72,8 @@ Colour caustic_light(Eye *eye, const Hit *hit, Vec3 wo);
 // surface.
 bool sample_rough(const Hit *hit, Vec3 wo, float lobe_share, float choice, float u, float v, Vec3 *wi, float *pdf);
 
-// Glass as eye rays see it, for one index: Fresnel reflectance and the refracted direction (valid when the
-// reflectance is below 1). The library's own optics: pictures of the path tracer must not depend on a student's
-// steps.
+// Glass as eye rays see it, for one index: Fresnel reflectance and the refracted direction (valid when the reflectance
+// is below 1). The library's own optics: pictures of the path tracer must not depend on a student's steps.
 float glass_optics(const Hit *hit, Vec3 direction, float index, Vec3 *refracted);
 
 #endif

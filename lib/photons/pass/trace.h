@@ -17,9 +17,8 @@ static inline Photon photon_create(Vec3 position, Vec3 direction, Colour power)
 
 // Sends the photon on from photon->position along photon->direction to the next surface. True: *hit tells where;
 // photon->bounce has been raised by one, its position and direction are as they were. False: its path ends here,
-// because it left the scene, met a light (which absorbs it) or has reached
-// the depth limit.
-// A direction that is not of unit length (NaN, say) ends it, too, as escaped; the program reports how many did.
+// because it left the scene, met a light (which absorbs it) or has reached the depth limit. A direction that is not of
+// unit length (NaN, say) ends it, too, as escaped; the program reports how many did.
 bool photon_fly(PhotonTrace *trace, Photon *photon, Hit *hit);
 
 // What the surface is for this photon: one of a single wavelength meets there the reflectances at that wavelength.
