@@ -16,13 +16,10 @@
 
 void steps_library_directory(char *directory, size_t size)
 {
-    Dl_info info;
-    snprintf(directory, size, ".");
-    if (!dladdr((const void *)&step_table, &info) || !info.dli_fname)
-        return;
-    const char *slash = strrchr(info.dli_fname, '/');
-    if (slash)
-        snprintf(directory, size, "%.*s", (int)(slash - info.dli_fname), info.dli_fname);
+    Dl_info info = {.dli_fname = NULL};
+    dladdr((const void *)&step_table, &info);
+    const char *slash = info.dli_fname ? strrchr(info.dli_fname, '/') : NULL;
+    snprintf(directory, size, "%.*s", slash ? (int)(slash - info.dli_fname) : 1, slash ? info.dli_fname : ".");
 }
 
 // An ELF file ends with its table of sections. The loader looks no farther than the code, and dies of what is missing.

@@ -23,7 +23,7 @@ struct IrradianceMap {
 };
 
 typedef struct {
-    Vec3 position, normal;
+    Vec3 normal;
     LocalIrradiance local; // radius 0: there is none
 } Site;
 
@@ -92,17 +92,13 @@ static Site estimate_site(const Scene *scene, const PhotonMap *photons, const St
                           Gather *gather)
 {
     static const Material white = {.name = "white", .type = MATERIAL_DIFFUSE, .diffuse = {1.0f, 1.0f, 1.0f}};
-    Site site = {.local = {.radius = 0.0f}};
     Hit hit;
     if (!find_surface(scene, photon, step, &hit))
-        return site;
+        return (Site){.local = {.radius = 0.0f}};
     hit.material = &white;
     gather->reach = 0.0f;
     Colour radiance = steps.estimate_radiance(photons, &hit, hit.normal, gather);
-    site.position = photon->position;
-    site.normal = hit.normal;
-    site.local = (LocalIrradiance){colour_scale(radiance, PI), gather->reach};
-    return site;
+    return (Site){hit.normal, {colour_scale(radiance, PI), gather->reach}};
 }
 
 static bool estimate_sites(const Scene *scene, const PhotonMap *photons, const StoredPhoton *places, size_t k,
@@ -153,9 +149,9 @@ static LocalIrradiance mean_of(const Cell *sum)
 
 // A mean over the area of the cell, not over the photons in it, most of which lie where it is bright: weighed by the disk
 // that each of them stands for.
-static void add_site(IrradianceMap *map, const Site *site)
+static void add_site(IrradianceMap *map, Vec3 position, const Site *site)
 {
-    Cell *cell = claim_cell(map, place_of(map, site->position), facing_of(site->normal));
+    Cell *cell = claim_cell(map, place_of(map, position), facing_of(site->normal));
     add_weighted(cell, site->local, site->local.radius * site->local.radius);
 }
 
@@ -183,7 +179,7 @@ IrradianceMap *irradiance_map_build(const Scene *scene, const PhotonMap *photons
     IrradianceMap *map = ok ? map_create(slots, cell_size(sites, count, photon_map_count(photons), k)) : NULL;
     for (size_t i = 0; map && i < count; i++)
         if (sites[i].local.radius > 0.0f)
-            add_site(map, &sites[i]);
+            add_site(map, places[i].position, &sites[i]);
     for (size_t slot = 0; map && slot < slots; slot++)
         if (map->cells[slot].weight)
             map->cells[slot].mean = mean_of(&map->cells[slot]);

@@ -83,10 +83,10 @@ void pass_origin_settings(const RenderOptions *options, const Passes *passes, Pa
              s->samples, s->depth, (unsigned long long)options->seed, (double)options->reuse, choice,
              options->hero ? 3 : 1, options->glass_sides, (double)passes->alpha, passes->by_pixel ? "pixel" : "pass");
     snprintf(origin->code, sizeof origin->code, "the reference's steps");
-    const char *before = "the student's ";
+    const char *before = " but ";
     for (size_t i = 0; i < STEP_COUNT; i++)
         if (step_states[i] == STEP_STUDENT) {
-            text_append(origin->code, sizeof origin->code, "%s%s", *before == 't' ? " but " : before, step_table[i].id);
+            text_append(origin->code, sizeof origin->code, "%s%s", before, step_table[i].id);
             before = " ";
         }
 }
