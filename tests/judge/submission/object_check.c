@@ -8,73 +8,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define RANDOM  "use rng_float(rng): %s() gives other numbers on every thread and machine"
-#define PROCESS "%s() has no place in a step: it computes, and leaves the rest of the machine alone"
-#define LOADER  "%s() has no place in a step: other steps are called through the table, as steps.reflect(…)"
-#define THREADS "%s() has no place in a step: the program runs it on several threads already"
-#define RUNTIME "%s() has no place in a step: when it is done it returns"
-
+// Of each, the words with a name in them.
 static const struct {
-    const char *name, *words;
+    const char *names, *words;
 } forbidden[] = {
-    {"rand", RANDOM},
-    {"srand", RANDOM},
-    {"rand_r", RANDOM},
-    {"random", RANDOM},
-    {"srandom", RANDOM},
-    {"random_r", RANDOM},
-    {"drand48", RANDOM},
-    {"erand48", RANDOM},
-    {"lrand48", RANDOM},
-    {"srand48", RANDOM},
-    {"arc4random", RANDOM},
-    {"arc4random_uniform", RANDOM},
-    {"getrandom", RANDOM},
-    {"getentropy", RANDOM},
-    {"system", PROCESS},
-    {"popen", PROCESS},
-    {"fork", PROCESS},
-    {"vfork", PROCESS},
-    {"clone", PROCESS},
-    {"execl", PROCESS},
-    {"execlp", PROCESS},
-    {"execle", PROCESS},
-    {"execv", PROCESS},
-    {"execvp", PROCESS},
-    {"execve", PROCESS},
-    {"execvpe", PROCESS},
-    {"fexecve", PROCESS},
-    {"posix_spawn", PROCESS},
-    {"posix_spawnp", PROCESS},
-    {"socket", PROCESS},
-    {"socketpair", PROCESS},
-    {"connect", PROCESS},
-    {"getaddrinfo", PROCESS},
-    {"ptrace", PROCESS},
-    {"kill", PROCESS},
-    {"killpg", PROCESS},
-    {"process_vm_readv", PROCESS},
-    {"process_vm_writev", PROCESS},
-    {"setenv", PROCESS},
-    {"putenv", PROCESS},
-    {"signal", PROCESS},
-    {"sigaction", PROCESS},
-    {"syscall", PROCESS},
-    {"mount", PROCESS},
-    {"dlopen", LOADER},
-    {"dlmopen", LOADER},
-    {"dlsym", LOADER},
-    {"dlvsym", LOADER},
-    {"dladdr", LOADER},
-    {"dl_iterate_phdr", LOADER},
-    {"pthread_create", THREADS},
-    {"thrd_create", THREADS},
-    {"GOMP_parallel", THREADS},
-    {"__kmpc_fork_call", THREADS},
-    {"atexit", RUNTIME},
-    {"on_exit", RUNTIME},
-    {"longjmp", RUNTIME},
-    {"siglongjmp", RUNTIME},
+    {"rand srand rand_r random srandom random_r drand48 erand48 lrand48 srand48 arc4random arc4random_uniform getrandom "
+     "getentropy",
+     "use rng_float(rng): %s() gives other numbers on every thread and machine"},
+    {"system popen fork vfork clone execl execlp execle execv execvp execve execvpe fexecve posix_spawn posix_spawnp "
+     "socket socketpair connect getaddrinfo ptrace kill killpg process_vm_readv process_vm_writev setenv putenv signal "
+     "sigaction syscall mount",
+     "%s() has no place in a step: it computes, and leaves the rest of the machine alone"},
+    {"dlopen dlmopen dlsym dlvsym dladdr dl_iterate_phdr",
+     "%s() has no place in a step: other steps are called through the table, as steps.reflect(…)"},
+    {"pthread_create thrd_create GOMP_parallel __kmpc_fork_call",
+     "%s() has no place in a step: the program runs it on several threads already"},
+    {"atexit on_exit longjmp siglongjmp", "%s() has no place in a step: when it is done it returns"},
 };
 
 // 0: nowhere.
@@ -99,14 +48,16 @@ static bool names(const ObjectFile *object, SymbolKind kind, const char *name)
 
 static Status check_forbidden(const ObjectFile *object, const StepInfo *step, const char *source, StepWords *words)
 {
-    for (size_t i = 0; i < sizeof forbidden / sizeof *forbidden; i++) {
-        if (!names(object, SYMBOL_WANTED, forbidden[i].name))
-            continue;
-        const char *blank = strstr(forbidden[i].words, "%s");
-        say_where(step, find_line(source, forbidden[i].name), words);
-        return words_say(words, STATUS_ERROR, "%.*s%s%s", (int)(blank - forbidden[i].words), forbidden[i].words,
-                         forbidden[i].name, blank + 2);
-    }
+    for (size_t i = 0; i < sizeof forbidden / sizeof *forbidden; i++)
+        for (const char *rest = forbidden[i].names; *rest; rest += strspn(rest, " ")) {
+            char name[32];
+            snprintf(name, sizeof name, "%.*s", (int)strcspn(rest, " "), rest);
+            rest += strlen(name);
+            if (!names(object, SYMBOL_WANTED, name))
+                continue;
+            say_where(step, find_line(source, name), words);
+            return words_say(words, STATUS_ERROR, forbidden[i].words, name);
+        }
     return STATUS_PASS;
 }
 

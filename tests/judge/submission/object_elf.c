@@ -1,5 +1,5 @@
 // ELF, 64 bits: the object files of Linux and most others.
-#include "judge/submission/object_parts.h"
+#include "judge/submission/object_file.h"
 
 #include <elf.h>
 #include <string.h>

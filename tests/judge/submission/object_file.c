@@ -1,4 +1,4 @@
-#include "judge/submission/object_parts.h"
+#include "judge/submission/object_file.h"
 #include "base/file.h"
 
 #include <stdio.h>

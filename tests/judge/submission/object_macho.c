@@ -1,6 +1,6 @@
 // Mach-O, 64 bits: the object files of a Mac. Its structs stand here and not in Apple's headers' words, so that a test can read
 // such files on any machine.
-#include "judge/submission/object_parts.h"
+#include "judge/submission/object_file.h"
 
 #include <string.h>
 
