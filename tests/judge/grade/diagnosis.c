@@ -24,90 +24,23 @@
 #define AGREES  1.5
 #define CLEARLY 2.0
 
-typedef struct {
-    char check[32];
-    Feature feature;
-} NamedFeature;
-
 // What the checks of one step measured, one after the other.
 typedef struct {
-    char step[8], name[64], text[300];
-    NamedFeature *features;
-    int count, capacity;
-} Signature;
+    const char *check;
+    const Feature *feature;
+} Measured;
 
-static void signature_add(Signature *signature, const char *check, Feature feature)
+static int measured_by(const StepResult *result, Measured *found)
 {
-    if (signature->count == signature->capacity) {
-        signature->capacity = signature->capacity ? 2 * signature->capacity : 64;
-        signature->features =
-            must(realloc(signature->features, (size_t)signature->capacity * sizeof *signature->features));
-    }
-    NamedFeature *next = &signature->features[signature->count++];
-    snprintf(next->check, sizeof next->check, "%s", check);
-    next->feature = feature;
-}
-
-static void signature_free(Signature *signature)
-{
-    free(signature->features);
-    *signature = (Signature){.count = 0};
-}
-
-static void signature_of(const StepResult *result, Signature *signature)
-{
-    *signature = (Signature){.count = 0};
-    snprintf(signature->step, sizeof signature->step, "%s", result->step->id);
+    int count = 0;
     for (int i = 0; i < result->check_count; i++) {
         const CheckResult *check = &result->checks[i];
         if (check->check->kind == CHECK_PICTURE)
             continue; // it is calibrated apart from the table
         for (int f = 0; f < check->finding.feature_count; f++)
-            signature_add(signature, check->check->name, check->finding.features[f]);
+            found[count++] = (Measured){check->check->name, &check->finding.features[f]};
     }
-}
-
-// "density:0.013:0.0004"
-static bool read_feature(char *word, Signature *signature)
-{
-    char *colon = strchr(word, ':');
-    if (!colon)
-        return false;
-    *colon = '\0';
-    char *end;
-    double value = strtod(colon + 1, &end);
-    if (end == colon + 1 || *end != ':')
-        return false;
-    signature_add(signature, word, (Feature){value, strtod(end + 1, NULL)});
-    return true;
-}
-
-// The next entry. False at the end of the file, or where an entry is broken.
-static bool signature_read(FILE *stream, Signature *signature)
-{
-    static const char blanks[] = " \n";
-    *signature = (Signature){.count = 0};
-    char *line = NULL;
-    size_t capacity = 0;
-    bool ok = getline(&line, &capacity, stream) > 0 &&
-              sscanf(line, "%7s %63s", signature->step, signature->name) == 2 && getline(&line, &capacity, stream) > 0;
-    if (ok) {
-        line[strcspn(line, "\n")] = '\0';
-        snprintf(signature->text, sizeof signature->text, "%s", line);
-        ok = getline(&line, &capacity, stream) > 0;
-    }
-    for (char *rest = ok ? line + strspn(line, blanks) : NULL; ok && *rest;) {
-        char *word = rest;
-        rest += strcspn(rest, blanks);
-        if (*rest)
-            *rest++ = '\0';
-        rest += strspn(rest, blanks);
-        ok = read_feature(word, signature);
-    }
-    free(line);
-    if (!ok)
-        signature_free(signature);
-    return ok;
+    return count;
 }
 
 static double feature_distance(const Feature *a, const Feature *b)
@@ -123,40 +56,38 @@ static double feature_distance(const Feature *a, const Feature *b)
     return fabs(a->value - b->value) / tolerance;
 }
 
-// The worst feature, in tolerances: up to 1 they agree.
-static double signature_distance(const Signature *a, const Signature *b)
+// The worst feature of a line of the table, which is cut up, in tolerances: up to 1 they agree. INFINITY: not the same
+// features, as where one of them left a check early.
+static double distance_to(char *line, const Measured *found, int count)
 {
-    if (a->count != b->count)
-        return INFINITY; // one of them left a check early
     double worst = 0.0;
-    for (int i = 0; i < a->count; i++) {
-        if (strcmp(a->features[i].check, b->features[i].check) != 0)
+    int i = 0;
+    char *rest, *end;
+    for (char *word = strtok_r(line, " \n", &rest); word; word = strtok_r(NULL, " \n", &rest), i++) {
+        size_t name = strcspn(word, ":"); // "density:0.013:0.0004"
+        if (i == count || !word[name] || strncmp(word, found[i].check, name) != 0 || found[i].check[name])
             return INFINITY;
-        worst = fmax(worst, feature_distance(&a->features[i].feature, &b->features[i].feature));
+        Feature known = {.value = strtod(word + name + 1, &end)};
+        known.error = *end ? strtod(end + 1, NULL) : 0.0;
+        worst = fmax(worst, feature_distance(found[i].feature, &known));
     }
-    return worst;
+    return i == count ? worst : INFINITY;
 }
 
 typedef struct {
-    Signature best;
+    char name[64], text[300];
     double distance, next; // of the best, and of the best with another text
 } Ranking;
 
-// Takes the known one over or frees it.
-static void rank(Ranking *ranking, Signature *known, double distance)
+static void rank(Ranking *best, const char *name, const char *text, double distance)
 {
-    bool same = strcmp(known->text, ranking->best.text) == 0; // several ways to make one mistake
-    if (!(distance < ranking->distance)) {
-        if (!same)
-            ranking->next = fmin(ranking->next, distance);
-        signature_free(known);
+    if (strcmp(text, best->text) != 0) // there are several ways to make one mistake
+        best->next = fmin(best->next, fmax(distance, best->distance));
+    if (distance >= best->distance)
         return;
-    }
-    if (!same)
-        ranking->next = ranking->distance;
-    signature_free(&ranking->best);
-    ranking->best = *known;
-    ranking->distance = distance;
+    snprintf(best->name, sizeof best->name, "%s", name);
+    snprintf(best->text, sizeof best->text, "%s", text);
+    best->distance = distance;
 }
 
 #define FEWEST_RATIOS 6
@@ -218,26 +149,28 @@ static void find_tile(const GradeOptions *options, StepResult *result)
 
 void diagnose(const GradeOptions *options, StepResult *result)
 {
-    char path[4096];
+    char path[4096], step[8], name[64], text[300], *line = NULL;
+    size_t capacity = 0;
     snprintf(path, sizeof path, "%s/tests/mistakes/features.txt", options->root);
     FILE *stream = fopen(path, "r");
     if (!stream)
         return;
-    Signature found, known;
-    Ranking ranking = {.best = {.count = 0}, .distance = INFINITY, .next = INFINITY};
-    signature_of(result, &found);
-    while (signature_read(stream, &known)) {
-        bool here = strcmp(known.step, found.step) == 0;
-        rank(&ranking, &known, here ? signature_distance(&found, &known) : INFINITY);
+    Measured found[MOST_CHECKS * MOST_FEATURES];
+    Ranking best = {.distance = INFINITY, .next = INFINITY};
+    int count = measured_by(result, found);
+    while (getline(&line, &capacity, stream) > 0 && sscanf(line, "%7s %63s", step, name) == 2 &&
+           getline(&line, &capacity, stream) > 0) {
+        snprintf(text, sizeof text, "%.*s", (int)strcspn(line, "\n"), line);
+        if (getline(&line, &capacity, stream) > 0 && strcmp(step, result->step->id) == 0)
+            rank(&best, name, text, distance_to(line, found, count));
     }
+    free(line);
     fclose(stream);
-    if (ranking.distance <= AGREES && ranking.next > AGREES && ranking.next >= CLEARLY * ranking.distance &&
-        strcmp(ranking.best.name, "right") != 0) {
-        snprintf(result->mistake, sizeof result->mistake, "%s", ranking.best.name);
-        snprintf(result->looks_like, sizeof result->looks_like, "%s", ranking.best.text);
+    if (best.distance <= AGREES && best.next > AGREES && best.next >= CLEARLY * best.distance &&
+        strcmp(best.name, "right") != 0) {
+        snprintf(result->mistake, sizeof result->mistake, "%s", best.name);
+        snprintf(result->looks_like, sizeof result->looks_like, "%s", best.text);
     }
-    signature_free(&ranking.best);
-    signature_free(&found);
     if (!*result->mistake)
         suspect(result);
     if (*result->mistake)
