@@ -1,7 +1,7 @@
 // A probe's last words, and what addr2line says of them (what stands behind a zero byte): a sentence for the student. The
 // sandbox is not asked: its run is played here.
 #include "fuzz/fuzz.h"
-#include "judge/grade/crash.h"
+#include "judge/grade/grade.h"
 
 static const char *places;
 

@@ -1,4 +1,4 @@
-#include "arguments.h"
+#include "judge/judge.h"
 
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-#include "hidden.h"
+#include "judge/judge.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,11 +1,8 @@
 // judge: grades a submission. It never loads a student's code: build/probe runs that, in a sandbox, and the judge
 // looks at the numbers that come out.
-#include "judge/grade/step_features.h"
-#include "hidden.h"
+#include "judge/judge.h"
 #include "judge/checks/pictures.h"
 #include "judge/grade/points.h"
-#include "report_json.h"
-#include "stages.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -166,7 +163,7 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
     }
     stages_grade(a, results, count, stages);
     if (a->features)
-        features_print(stdout, results, count);
+        print_features(results, count);
     else if (a->lines)
         print_lines_of_steps(results, count);
     else

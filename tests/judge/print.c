@@ -1,7 +1,5 @@
 // What the person at the terminal reads: stages, steps, what is wrong and where to go on, and the sums.
-#include "judge/scatter/scatter.h"
-#include "judge/terminal.h"
-#include "report/text.h"
+#include "judge/judge.h"
 #include "base/text.h"
 
 #include <stdio.h>
@@ -38,7 +36,7 @@ static void print_check(const Terminal *terminal, const CheckResult *check)
         text_append(line, sizeof line, ": right code never does this");
     else if (finding->tests > 0)
         text_append(line, sizeof line, ": p = %.2g, wrong below %.2g", finding->p, check->threshold);
-    print_dim(terminal, "", line);
+    print_wrapped(terminal, DIM, "%s", line);
 }
 
 // Nothing ran: then the output is the compiler's, and its first lines matter.
@@ -60,7 +58,7 @@ static void print_output(const Terminal *terminal, const StepResult *result)
     const char *printed = result->words.output + strlen(compiled);
     if (*printed) {
         if (!nothing_ran(result))
-            print_dim(terminal, "", "printed:");
+            print_wrapped(terminal, DIM, "printed:");
         print_lines(printed, strstr(printed, "Sanitizer: ") || nothing_ran(result) ? MOST_LINES : MOST_LINES / 2);
     }
 }
@@ -70,32 +68,26 @@ static void print_deciding_check(const Terminal *terminal, const StepResult *res
 {
     for (int i = 0; i < result->check_count && result->status == STATUS_FAIL; i++)
         if (result->checks[i].status == STATUS_FAIL) {
-            print_dim(terminal, "check: ", result->checks[i].check->title);
+            print_wrapped(terminal, DIM, "check: %s", result->checks[i].check->title);
             return;
         }
 }
 
 static void print_details(const Terminal *terminal, const StepResult *result)
 {
-    char line[1024];
-    print_wrapped(terminal, *result->words.message ? result->words.message : "no reason is known");
+    print_wrapped(terminal, PLAIN, "%s", *result->words.message ? result->words.message : "no reason is known");
     print_deciding_check(terminal, result);
     if (*result->words.where)
-        print_dim(terminal, "in ", result->words.where);
-    if (*result->looks_like) {
-        snprintf(line, sizeof line, "looks like: %s", result->looks_like);
-        terminal_paint(terminal, "\033[1m");
-        print_wrapped(terminal, line);
-        terminal_paint(terminal, "\033[0m");
-    }
+        print_wrapped(terminal, DIM, "in %s", result->words.where);
+    if (*result->looks_like)
+        print_wrapped(terminal, BOLD, "looks like: %s", result->looks_like);
     print_output(terminal, result);
     if (result->status == STATUS_SKIP)
         return;
     int length = (int)strcspn(result->step->file, "/");
-    snprintf(line, sizeof line, "make hint STEP=%s · contract: lib/steps/%.*s.h · chapter %s%s%s", result->step->id,
-             length, result->step->file, result->step->chapter, *result->tile ? " · its picture: gallery.html#" : "",
-             result->tile);
-    print_dim(terminal, "", line);
+    print_wrapped(terminal, DIM, "make hint STEP=%s · contract: lib/steps/%.*s.h · chapter %s%s%s", result->step->id,
+                  length, result->step->file, result->step->chapter,
+                  *result->tile ? " · its picture: gallery.html#" : "", result->tile);
 }
 
 static void print_step(const Terminal *terminal, const StepResult *result, bool verbose)
@@ -104,7 +96,7 @@ static void print_step(const Terminal *terminal, const StepResult *result, bool 
     if (result->status != STATUS_PASS && result->status != STATUS_TODO)
         print_details(terminal, result);
     else if (result->status == STATUS_TODO && *result->words.message)
-        print_wrapped(terminal, result->words.message);
+        print_wrapped(terminal, PLAIN, "%s", result->words.message);
     else if (verbose && result->status == STATUS_PASS && *result->words.output)
         print_lines(result->words.output, MOST_LINES / 2);
     for (int i = 0; verbose && result->status != STATUS_TODO && i < result->check_count; i++)
@@ -126,7 +118,6 @@ static void print_stage(const Terminal *terminal, const StepInfo *step)
 // Behind the steps of its stage. A pass says in few words what it is that passed.
 static void print_scatter(const Terminal *terminal, const StageResult *stages, int number, bool verbose)
 {
-    char line[1200];
     const StageResult *stage = number > 0 && number <= STAGE_COUNT ? &stages[number - 1] : NULL;
     if (!stage || stage->stage == 0 || stage->status == STATUS_TODO)
         return;
@@ -135,16 +126,13 @@ static void print_scatter(const Terminal *terminal, const StageResult *stages, i
     terminal_paint(terminal, "\033[0m");
     printf("scatter of stage %d, by your %s\n", stage->stage, stage->steps);
     if (stage->status != STATUS_PASS) {
-        snprintf(line, sizeof line, "stage %d, scatter: %s", stage->stage,
-                 *stage->message ? stage->message : "no reason is known");
-        print_wrapped(terminal, line);
-        print_dim(terminal, "", "(The scatter is where a scene's photons land by all of these steps together.)");
+        print_wrapped(terminal, PLAIN, "stage %d, scatter: %s", stage->stage,
+                      *stage->message ? stage->message : "no reason is known");
+        print_wrapped(terminal, DIM, "(The scatter is where a scene's photons land by all of these steps together.)");
     }
-    if (verbose && stage->tests > 0) {
-        snprintf(line, sizeof line, "%d comparisons: p = %.2g, wrong below %.2g", stage->tests, stage->p,
-                 stage->threshold);
-        print_dim(terminal, "", line);
-    }
+    if (verbose && stage->tests > 0)
+        print_wrapped(terminal, DIM, "%d comparisons: p = %.2g, wrong below %.2g", stage->tests, stage->p,
+                      stage->threshold);
 }
 
 static void print_sums(const StepResult *results, int count)
@@ -211,4 +199,20 @@ void print_lines_of_steps(const StepResult *results, int count)
         putchar('\n');
     }
     fflush(stdout);
+}
+
+void print_features(const StepResult *results, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (results[i].status == STATUS_TODO)
+            continue;
+        printf("%s %s", results[i].step->id, status_table[results[i].status].name);
+        for (int c = 0; c < results[i].check_count; c++) {
+            const CheckResult *check = &results[i].checks[c];
+            for (int f = 0; f < check->finding.feature_count; f++)
+                printf(" %s:%.6g:%.3g", check->check->name, check->finding.features[f].value,
+                       check->finding.features[f].error);
+        }
+        putchar('\n');
+    }
 }

@@ -1,4 +1,4 @@
-#include "judge/report_json.h"
+#include "judge/judge.h"
 
 #include <errno.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "stages.h"
+#include "judge/judge.h"
 
 #include <stdio.h>
 

@@ -1,6 +1,7 @@
-#include "judge/terminal.h"
-#include "report/text.h"
+#define _GNU_SOURCE // vasprintf
+#include "judge/judge.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,10 +52,18 @@ char *terminal_clean(const char *text)
     return copy;
 }
 
-void print_wrapped(const Terminal *terminal, const char *text)
+void print_wrapped(const Terminal *terminal, const char *paint, const char *format, ...)
 {
-    char *words = terminal_clean(text), *rest = NULL;
+    char *text, *rest = NULL;
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vasprintf(&text, format, arguments);
+    va_end(arguments);
+    char *words = terminal_clean(length >= 0 ? text : "");
+    if (length >= 0)
+        free(text);
     int column = 0, widest = terminal->width - (int)sizeof INDENT + 1;
+    terminal_paint(terminal, paint);
     fputs(INDENT, stdout);
     for (char *word = strtok_r(words, " \n\t", &rest); word; word = strtok_r(NULL, " \n\t", &rest)) {
         int width = terminal_columns(word, strlen(word));
@@ -66,6 +75,8 @@ void print_wrapped(const Terminal *terminal, const char *text)
         column += width + (column > 0);
     }
     putchar('\n');
+    if (*paint)
+        terminal_paint(terminal, "\033[0m");
     free(words);
 }
 
@@ -90,13 +101,4 @@ void print_lines(const char *text, size_t before)
         line += length + (line[length] == '\n');
     }
     free(lines);
-}
-
-void print_dim(const Terminal *terminal, const char *before, const char *text)
-{
-    char line[2048];
-    snprintf(line, sizeof line, "%s%s", before, text);
-    terminal_paint(terminal, "\033[2m");
-    print_wrapped(terminal, line);
-    terminal_paint(terminal, "\033[0m");
 }

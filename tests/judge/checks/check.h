@@ -117,8 +117,6 @@ typedef struct {
     const int *count;
 } StepChecks;
 
-extern const StepChecks step_checks[STEP_COUNT]; // tests/judge/grade/step_checks.c
-
 extern const char *judge_root; // the checkout, absolute: where scenes and tests/reference/ lie
 
 #endif

@@ -1,4 +1,4 @@
-// Every step's checks, one array a step: tests/steps/<stage>/<id>_<symbol>.c; grade/step_checks.c puts them in order.
+// Every step's checks, one array a step: tests/steps/<stage>/<id>_<symbol>.c; grade/grade.c puts them in order.
 #ifndef PHOTONLAB_STEPS_STEP_CHECKS_H
 #define PHOTONLAB_STEPS_STEP_CHECKS_H
 

@@ -1,5 +1,5 @@
-#include "judge/grade/crash.h"
 #include "base/crash_report.h"
+#include "judge/grade/grade.h"
 #include "judge/probe/probe.h"
 
 #include <signal.h>

@@ -1,9 +1,15 @@
 #include "judge/grade/grade.h"
 #include "base/text.h"
+#include "judge/checks/step_checks.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define STEP(stage, number, symbol, ...) {#stage "." #number, symbol##_checks, &symbol##_check_count},
+static const StepChecks step_checks[STEP_COUNT] = {
+#include "steps/steps.def"
+};
 
 // Some check found what right code never does, whatever its random numbers.
 static bool fails_for_certain(const StepResult *result)

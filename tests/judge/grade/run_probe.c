@@ -1,5 +1,4 @@
 // The probe's run on a step's cases: what of the others' work it may see, and what the student is told.
-#include "judge/grade/crash.h"
 #include "judge/grade/probe_job.h"
 
 #include <stdio.h>

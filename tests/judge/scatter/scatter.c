@@ -1,6 +1,5 @@
 #include "judge/scatter/scatter.h"
 #include "base/text.h"
-#include "judge/grade/crash.h"
 #include "judge/grade/probe_job.h"
 
 #include "judge/probe/probe_scatter.h"

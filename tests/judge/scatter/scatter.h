@@ -37,10 +37,6 @@ void stage_result_free(StageResult *result);
 // Writes directory/pictures/scatter_N.png by `photonlab preview`, which needs no display.
 void scatter_draw(const GradeOptions *options, const char *directory, StageResult *result);
 
-// What the person at the terminal reads. The stages are STAGE_COUNT, each with its number, or 0 where none was asked for.
-void print_lines_of_steps(const StepResult *results, int count); // as --lines says
-void print_results(const StepResult *results, int count, const StageResult *stages, bool verbose);
-
 // Where a stage's photons fly.
 typedef struct {
     const char *scene; // from the root; NULL: this stage has none, and is judged by its steps alone

@@ -1,5 +1,5 @@
 // Prints made-up results, for report.sh to read. Usage: print_sample [verbose]
-#include "judge/scatter/scatter.h"
+#include "judge/judge.h"
 
 #include <stdio.h>
 #include <stdlib.h>
