@@ -23,10 +23,9 @@ static void write_strip(const Report *report, FILE *stream)
         if (stage != 0 && stage != step->stage)
             fputs("<span class=\"gap\"></span>", stream);
         stage = step->stage;
-        fprintf(stream, "<a class=\"%s\" href=\"#step-%s\" title=\"", status_table[step->status].name, step->id);
-        text_markup(stream, step->title);
-        fprintf(stream, ": %s\"><i>%s</i>%s</a>", status_table[step->status].words, status_table[step->status].mark,
-                step->id);
+        const StatusInfo *status = &status_table[step->status];
+        text_put(stream, "<a class=\"%s\" href=\"#step-%s\" title=\"%s: %s\"><i>%s</i>%s</a>", status->name, step->id,
+                 step->title, status->words, status->mark, step->id);
     }
     fputs("</nav>\n", stream);
 }
@@ -80,30 +79,22 @@ static void write_next(const Report *report, const ReportSums *sums, FILE *strea
             fputs("<p class=\"next pass\"><b>All done.</b> Every step passes.</p>\n", stream);
         return;
     }
-    fprintf(stream, "<p class=\"next %s\"><b>Next:</b> <a href=\"#step-%s\">%s ", status_table[step->status].name,
-            step->id, step->id);
-    text_markup(stream, step->title);
-    fputs("</a>", stream);
-    if (*step->looks_like) {
-        fputs(" — looks like ", stream);
-        text_markup(stream, step->looks_like);
-    }
-    fputs("</p>\n", stream);
+    text_put(stream, "<p class=\"next %s\"><b>Next:</b> <a href=\"#step-%s\">%s %s</a>%s%s</p>\n",
+             status_table[step->status].name, step->id, step->id, step->title,
+             *step->looks_like ? " — looks like " : "", step->looks_like);
 }
 
 static void write_head(const Report *report, const ReportSums *sums, FILE *stream)
 {
-    fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-          "<meta name=\"color-scheme\" content=\"light dark\"/>\n<title>photonlab · ",
-          stream);
-    text_markup(stream, report->submission);
-    fputs("</title>\n<style>\n", stream);
+    text_put(stream,
+             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+             "<meta name=\"color-scheme\" content=\"light dark\"/>\n<title>photonlab · %s</title>\n<style>\n",
+             report->submission);
     for (size_t i = 0; report_style[i]; i++)
         fputs(report_style[i], stream);
-    fputs("</style>\n</head>\n<body>\n<main>\n<header>\n<p class=\"name\">photonlab · ", stream);
-    text_markup(stream, report->submission);
-    fputs("</p>\n<h1>", stream);
+    text_put(stream, "</style>\n</head>\n<body>\n<main>\n<header>\n<p class=\"name\">photonlab · %s</p>\n<h1>",
+             report->submission);
     double most = sums->hidden ? sums->points_max : report->points_max;
     write_points(sums->points, most, stream);
     fputs("</h1>\n", stream);
@@ -120,30 +111,20 @@ static void write_head(const Report *report, const ReportSums *sums, FILE *strea
     fputs("</header>\n", stream);
 }
 
-static void write_stage_title(const Report *report, int stage, FILE *stream)
+// Before its first step.
+static void write_stage_title(const Report *report, const ReportStep *step, FILE *stream)
 {
-    double points = 0.0, points_max = 0.0;
-    const char *name = "";
-    for (size_t i = 0; i < report->step_count; i++) {
-        const ReportStep *step = &report->steps[i];
-        if (step->stage != stage || !report_shows(report, step))
-            continue;
-        points += step->points;
-        points_max += step->points_max;
-        name = step->chapter;
-    }
-    fprintf(stream, "<h2>Stage %d", stage);
+    ReportSums sums = report_sums(report, report->teacher, step->stage);
+    fprintf(stream, "<h2>Stage %d", step->stage);
     // A chapter's file is named for its stage: 2_glossy_lobe.html.
-    const char *word = strchr(name, '_'), *end = strstr(name, ".html");
+    const char *word = strchr(step->chapter, '_'), *end = strstr(step->chapter, ".html");
     if (word && end && word < end) {
         fputs(" · ", stream);
-        for (const char *c = word + 1; c < end; c++) {
-            char letter[2] = {*c == '_' ? ' ' : *c, '\0'};
-            text_markup(stream, letter);
-        }
+        for (const char *c = word + 1; c < end; c++)
+            text_put(stream, "%s", (char[]){*c == '_' ? ' ' : *c, '\0'});
     }
     fputs("<span class=\"points\">", stream);
-    write_points(points, points_max, stream);
+    write_points(sums.points, sums.points_max, stream);
     fputs("</span></h2>\n", stream);
 }
 
@@ -157,7 +138,7 @@ static void write_scatter(const Report *report, int stage, FILE *stream)
 bool report_html(const Report *report, FILE *stream, Error *error)
 {
     (void)error;
-    ReportSums sums = report_sums(report, report->teacher);
+    ReportSums sums = report_sums(report, report->teacher, 0);
     write_head(report, &sums, stream);
     int stage = 0;
     for (size_t i = 0; i < report->step_count; i++) {
@@ -167,20 +148,18 @@ bool report_html(const Report *report, FILE *stream, Error *error)
         if (step->stage != stage)
             write_scatter(report, stage, stream);
         if (step->stage != stage)
-            write_stage_title(report, step->stage, stream);
+            write_stage_title(report, step, stream);
         stage = step->stage;
         html_step(report, step, stream);
     }
     write_scatter(report, stage, stream);
-    if (report->finale) {
-        fputs("<h2>Finale</h2>\n<p><a href=\"", stream);
-        text_markup(stream, report->finale);
-        fputs("\"><img style=\"width:100%\" alt=\"the course's picture by these steps, framed\" src=\"", stream);
-        text_markup(stream, report->finale);
-        fputs("\"/></a></p>\n", stream);
-    }
+    if (report->finale)
+        text_put(
+            stream,
+            "<h2>Finale</h2>\n<p><a href=\"%s\"><img style=\"width:100%%\" alt=\"the course's picture by these steps, framed\" "
+            "src=\"%s\"/></a></p>\n",
+            report->finale, report->finale);
     fprintf(stream, "<footer>Graded in %.1f s; sandbox: ", report->seconds);
-    text_markup(stream, report->sandbox);
-    fputs(".</footer>\n</main>\n</body>\n</html>\n", stream);
+    text_put(stream, "%s.</footer>\n</main>\n</body>\n</html>\n", report->sandbox);
     return true;
 }

@@ -45,13 +45,12 @@ static void draw_bins(const ReportHistogram *histogram, FILE *stream)
 
 void html_histogram(const ReportHistogram *histogram, FILE *stream)
 {
-    fputs("<figure class=\"histogram\"><figcaption>", stream);
-    text_markup(stream, histogram->title);
-    fputs(" <span class=\"key\"><i class=\"bar\"></i> found <i class=\"line\"></i> expected</span></figcaption>\n",
-          stream);
-    fprintf(stream, "<svg viewBox=\"0 0 %g %g\" role=\"img\" preserveAspectRatio=\"none\"><title>", WIDTH, HEIGHT);
-    text_markup(stream, histogram->title);
-    fputs(": what your code gave, and what the equation says</title>", stream);
+    text_put(stream,
+             "<figure class=\"histogram\"><figcaption>%s <span class=\"key\"><i class=\"bar\"></i> found "
+             "<i class=\"line\"></i> expected</span></figcaption>\n",
+             histogram->title);
+    fprintf(stream, "<svg viewBox=\"0 0 %g %g\" role=\"img\" preserveAspectRatio=\"none\">", WIDTH, HEIGHT);
+    text_put(stream, "<title>%s: what your code gave, and what the equation says</title>", histogram->title);
     draw_bins(histogram, stream);
     fputs("</svg>\n", stream);
     if (isfinite(histogram->low) && isfinite(histogram->high))
@@ -60,20 +59,19 @@ void html_histogram(const ReportHistogram *histogram, FILE *stream)
     fputs("</figure>\n", stream);
 }
 
-static char *path_below(const Report *report, const char *name)
+#define MOST_PATH 8200
+
+static char *path_below(const Report *report, const char *name, char path[MOST_PATH])
 {
-    size_t size = strlen(report->directory) + strlen(name) + 2;
-    char *path = malloc(size);
-    if (path)
-        snprintf(path, size, "%s/%s", report->directory, name);
+    snprintf(path, MOST_PATH, "%s/%s", report->directory, name);
     return path;
 }
 
 // An image's PNG, by way of a file of the report's own: the library writes no other. The caller frees it.
 static char *png_of(const Report *report, const Image *image, size_t *size, Error *error)
 {
-    char *path = path_below(report, ".picture-XXXXXX"), *bytes = NULL;
-    int file = path ? mkstemp(path) : -1;
+    char path[MOST_PATH], *bytes = NULL;
+    int file = mkstemp(path_below(report, ".picture-XXXXXX", path));
     if (file >= 0) {
         close(file);
         if (image_write_png(image, path, 8, error))
@@ -82,7 +80,6 @@ static char *png_of(const Report *report, const Image *image, size_t *size, Erro
     } else {
         error_set(error, "%s: no space for a picture", report->directory);
     }
-    free(path);
     return bytes;
 }
 
@@ -106,19 +103,17 @@ void html_png(const Report *report, const char *name, const char *alt, FILE *str
     static const char magic[8] = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
     size_t size = 0;
     Error error = {""};
-    char *path = path_below(report, name), *png = path ? file_read(path, (size_t)1 << 25, &size, &error) : NULL;
+    char path[MOST_PATH], *png = file_read(path_below(report, name, path), (size_t)1 << 25, &size, &error);
     bool good = png && size > sizeof magic && memcmp(png, magic, sizeof magic) == 0;
     if (good) {
         fputs("<img src=\"data:image/png;base64,", stream);
         text_base64(stream, (unsigned char *)png, size);
         fprintf(stream, "\" alt=\"%s\"/>\n", alt);
     } else {
-        fputs("<p class=\"note\">The picture is left out: ", stream);
-        text_markup(stream, *error.message ? error.message : "it is no PNG file");
-        fputs("</p>\n", stream);
+        text_put(stream, "<p class=\"note\">The picture is left out: %s</p>\n",
+                 *error.message ? error.message : "it is no PNG file");
     }
     free(png);
-    free(path);
 }
 
 static int ascending(const void *a, const void *b)
@@ -179,26 +174,16 @@ static bool show(const Report *report, Image *yours, Image *reference, FILE *str
     return true;
 }
 
-static bool read_below(const Report *report, const char *name, Image *image, Error *error)
-{
-    char *path = path_below(report, name);
-    bool good = path && image_read(image, path, error);
-    free(path);
-    return good;
-}
-
 void html_pictures(const Report *report, const ReportPicture *picture, FILE *stream)
 {
     Error error = {""};
     Image yours = {0, 0, NULL}, reference = {0, 0, NULL};
-    bool good = read_below(report, picture->yours, &yours, &error) &&
-                read_below(report, picture->reference, &reference, &error) &&
+    char path[MOST_PATH];
+    bool good = image_read(&yours, path_below(report, picture->yours, path), &error) &&
+                image_read(&reference, path_below(report, picture->reference, path), &error) &&
                 show(report, &yours, &reference, stream, &error);
-    if (!good) {
-        fputs("<p class=\"note\">The pictures are left out: ", stream);
-        text_markup(stream, error.message);
-        fputs("</p>\n", stream);
-    }
+    if (!good)
+        text_put(stream, "<p class=\"note\">The pictures are left out: %s</p>\n", error.message);
     image_free(&yours);
     image_free(&reference);
 }

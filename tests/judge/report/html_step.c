@@ -11,43 +11,19 @@ static void write_paragraph(const char *class, const char *lead, const char *tex
     if (!*text)
         return;
     fprintf(stream, "<p class=\"%s\">%s", class, lead);
-    text_markup(stream, text);
-    fputs("</p>\n", stream);
-}
-
-static void write_chapter(const Report *report, const char *chapter, FILE *stream)
-{
-    // Only a plain file name becomes a link: report.json could hold anything.
-    bool plain = report->notes && *chapter && !strpbrk(chapter, ":\\/");
-    if (!*chapter)
-        return;
-    if (plain) {
-        fputs("<a href=\"", stream);
-        text_markup(stream, report->notes);
-        fputc('/', stream);
-        text_markup(stream, chapter);
-        fputs("\">", stream);
-    }
-    text_markup(stream, chapter);
-    fputs(plain ? "</a>" : "", stream);
+    text_put(stream, "%s</p>\n", text);
 }
 
 static void write_summary(const Report *report, const ReportStep *step, FILE *stream)
 {
     char points[40], most[40];
-    fprintf(stream, "<summary><i class=\"mark\">%s</i><span class=\"id\">%s</span><span class=\"title\">",
-            status_table[step->status].mark, step->id);
-    text_markup(stream, step->title);
-    fputs(" <code>", stream);
-    text_markup(stream, step->symbol);
-    fputs("</code>", stream);
+    text_put(stream,
+             "<summary><i class=\"mark\">%s</i><span class=\"id\">%s</span><span class=\"title\">%s <code>%s</code>",
+             status_table[step->status].mark, step->id, step->title, step->symbol);
     if (step->hidden && report->teacher)
         fputs(" <em>hidden</em>", stream);
-    if (*step->due) {
-        fputs(" <em>due ", stream);
-        text_markup(stream, step->due);
-        fputs("</em>", stream);
-    }
+    if (*step->due)
+        text_put(stream, " <em>due %s</em>", step->due);
     fprintf(stream, "</span><span class=\"points\">%s / %s</span></summary>\n",
             text_points(step->points, points, sizeof points), text_points(step->points_max, most, sizeof most));
 }
@@ -55,26 +31,24 @@ static void write_summary(const Report *report, const ReportStep *step, FILE *st
 static void write_where_to_go(const Report *report, const ReportStep *step, FILE *stream)
 {
     fputs("<p class=\"go\">", stream);
-    if (*step->where) {
-        fputs("<span>where: <code>", stream);
-        text_markup(stream, step->where);
-        fputs("</code></span> ", stream);
-    }
+    if (*step->where)
+        text_put(stream, "<span>where: <code>%s</code></span> ", step->where);
     if (step->status != STATUS_PASS)
         fprintf(stream, "<span>hint: <code>make hint STEP=%s</code></span> ", step->id);
-    fputs("<span>chapter: ", stream);
-    write_chapter(report, step->chapter, stream);
-    fputs("</span></p>\n", stream);
+    // Only a plain file name becomes a link: report.json could hold anything.
+    if (report->notes && *step->chapter && !strpbrk(step->chapter, ":\\/"))
+        text_put(stream, "<span>chapter: <a href=\"%s/%s\">%s</a></span></p>\n", report->notes, step->chapter,
+                 step->chapter);
+    else
+        text_put(stream, "<span>chapter: %s</span></p>\n", step->chapter);
 }
 
 static void write_check(const Report *report, const ReportStep *step, const ReportCheck *check, FILE *stream)
 {
     char words[400];
     words_of_check(check, words, sizeof words);
-    fprintf(stream, "<li class=\"%s\"><i class=\"mark\">%s</i><div><b>", status_table[check->status].name,
-            status_table[check->status].mark);
-    text_markup(stream, check->title);
-    fputs("</b>", stream);
+    text_put(stream, "<li class=\"%s\"><i class=\"mark\">%s</i><div><b>%s</b>", status_table[check->status].name,
+             status_table[check->status].mark, check->title);
     if (check->status != STATUS_PASS && *check->message && strcmp(check->message, step->message) != 0)
         write_paragraph("found", "", check->message, stream);
     if (check->status == STATUS_SKIP)
@@ -94,9 +68,7 @@ static void write_output(const ReportStep *step, FILE *stream)
     bool short_enough = strlen(step->output) < 1500;
     fprintf(stream, "<details class=\"output\"%s><summary>What was printed</summary><pre>",
             short_enough && step->status != STATUS_PASS ? " open=\"open\"" : "");
-    fputc('\n', stream); // the first line end in a <pre> does not count
-    text_markup(stream, step->output);
-    fputs("</pre></details>\n", stream);
+    text_put(stream, "\n%s</pre></details>\n", step->output); // the first line end in a <pre> does not count
 }
 
 static bool any_checked(const ReportStep *step)
@@ -140,11 +112,9 @@ static void write_tile(const Report *report, const ReportStep *step, FILE *strea
     text_of_tile(step->id, step->mistake, anchor, sizeof anchor);
     snprintf(wanted, sizeof wanted, "id=\"%s\"", anchor);
     char *gallery = file_read(path, 64u << 20, &size, &none);
-    if (gallery && strstr(gallery, wanted)) {
-        fputs("<p class=\"like\"><a href=\"", stream);
-        text_markup(stream, report->notes);
-        fprintf(stream, "/gallery.html#%s\">a picture that this mistake makes</a></p>\n", anchor);
-    }
+    if (gallery && strstr(gallery, wanted))
+        text_put(stream, "<p class=\"like\"><a href=\"%s/gallery.html#%s\">a picture that this mistake makes</a></p>\n",
+                 report->notes, anchor);
     free(gallery);
 }
 

@@ -3,20 +3,11 @@
 #include "report.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 // The sums of one stage; stage 0: of all.
 static ReportSums sums_of_stage(const Report *report, int stage)
 {
-    ReportSums sums = {.hidden = 0};
-    for (size_t i = 0; i < report->step_count; i++) {
-        const ReportStep *step = &report->steps[i];
-        if (!report_shows(report, step) || (stage && step->stage != stage))
-            continue;
-        sums.steps++;
-        sums.of[step->status]++;
-        sums.seconds += step->seconds;
-    }
+    ReportSums sums = report_sums(report, report->teacher, stage);
     for (size_t i = 0; i < report->scatter_count; i++) {
         const ReportScatter *scatter = &report->scatters[i];
         if (stage && scatter->stage != stage)
@@ -35,63 +26,42 @@ static void write_counts(const ReportSums *sums, FILE *stream)
             sums->seconds);
 }
 
-static void write_result(const ReportStep *step, FILE *stream)
+static void write_result(const ReportStep *step, const char *words, FILE *stream)
 {
-    static const char *const elements[] = {NULL, "failure", "error", "skipped", "skipped"};
-    const char *element = elements[step->status];
-    if (!element)
-        return;
-    fprintf(stream, "      <%s message=\"", element);
-    text_markup(stream, *step->message ? step->message : status_table[step->status].words);
-    fputc('"', stream);
-    if (strcmp(element, "skipped") == 0) {
-        fputs("/>\n", stream);
-        return;
-    }
-    fputs(" type=\"", stream);
-    text_markup(stream, *step->mistake ? step->mistake : status_table[step->status].name);
-    fputs("\">", stream);
-    char *words = words_of_step(step, 0);
-    text_markup(stream, words ? words : "");
-    free(words);
-    fprintf(stream, "</%s>\n", element);
+    const StatusInfo *status = &status_table[step->status];
+    const char *message = *step->message ? step->message : status->words;
+    const char *element = step->status == STATUS_FAIL ? "failure" : "error";
+    if (status_is_wrong(step->status))
+        text_put(stream, "      <%s message=\"%s\" type=\"%s\">%s</%s>\n", element, message,
+                 *step->mistake ? step->mistake : status->name, words, element);
+    else if (step->status != STATUS_PASS)
+        text_put(stream, "      <skipped message=\"%s\"/>\n", message);
 }
 
-static void write_case(const ReportStep *step, FILE *stream)
+static void write_case(const ReportStep *step, const char *words, FILE *stream)
 {
-    fprintf(stream, "    <testcase classname=\"photonlab.stage_%d\" name=\"", step->stage);
-    text_markup(stream, step->id);
-    fputc(' ', stream);
-    text_markup(stream, step->title);
-    fprintf(stream, "\" time=\"%.3f\">\n", step->seconds);
-    write_result(step, stream);
-    if (*step->output) {
-        fputs("      <system-out>", stream);
-        text_markup(stream, step->output);
-        fputs("</system-out>\n", stream);
-    }
+    text_put(stream, "    <testcase classname=\"photonlab.stage_%d\" name=\"%s %s\"", step->stage, step->id,
+             step->title);
+    fprintf(stream, " time=\"%.3f\">\n", step->seconds);
+    write_result(step, words, stream);
+    if (*step->output)
+        text_put(stream, "      <system-out>%s</system-out>\n", step->output);
     fputs("    </testcase>\n", stream);
+}
+
+static void write_step(const ReportStep *step, FILE *stream)
+{
+    char *words = words_of_step(step, 0);
+    write_case(step, words ? words : "", stream);
+    free(words);
 }
 
 static void write_scatter(const ReportScatter *scatter, FILE *stream)
 {
-    char words[5000];
-    fprintf(stream, "    <testcase classname=\"photonlab.stage_%d\" name=\"scatter of stage %d\" time=\"%.3f\">\n",
-            scatter->stage, scatter->stage, scatter->seconds);
-    if (status_is_wrong(scatter->status)) {
-        const char *element = scatter->status == STATUS_FAIL ? "failure" : "error";
-        fprintf(stream, "      <%s message=\"", element);
-        text_markup(stream, scatter->message);
-        fprintf(stream, "\" type=\"scatter\">");
-        words_of_scatter(scatter, words, sizeof words);
-        text_markup(stream, words);
-        fprintf(stream, "</%s>\n", element);
-    } else if (scatter->status != STATUS_PASS) {
-        fputs("      <skipped message=\"", stream);
-        text_markup(stream, scatter->message);
-        fputs("\"/>\n", stream);
-    }
-    fputs("    </testcase>\n", stream);
+    char words[5000], title[32];
+    ReportStep step = report_scatter_step(scatter, title);
+    words_of_scatter(scatter, words, sizeof words);
+    write_case(&step, words, stream);
 }
 
 static void write_stage(const Report *report, int stage, FILE *stream)
@@ -103,7 +73,7 @@ static void write_stage(const Report *report, int stage, FILE *stream)
     write_counts(&sums, stream);
     for (size_t i = 0; i < report->step_count; i++)
         if (report->steps[i].stage == stage && report_shows(report, &report->steps[i]))
-            write_case(&report->steps[i], stream);
+            write_step(&report->steps[i], stream);
     if (report_scatter(report, stage))
         write_scatter(report_scatter(report, stage), stream);
     fputs("  </testsuite>\n", stream);
@@ -113,9 +83,7 @@ bool report_junit(const Report *report, FILE *stream, Error *error)
 {
     (void)error;
     ReportSums sums = sums_of_stage(report, 0);
-    fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"", stream);
-    text_markup(stream, report->submission);
-    fputc('"', stream);
+    text_put(stream, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"%s\"", report->submission);
     write_counts(&sums, stream);
     for (int stage = 1; stage <= 99; stage++)
         write_stage(report, stage, stream);

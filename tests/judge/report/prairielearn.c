@@ -8,48 +8,46 @@
 
 #define MOST_BYTES 1000000
 
-static void add_hidden(json_t *tests, const ReportSums *sums)
+static json_t *entry(const char *name, const char *symbol, double points, double points_max, const char *message,
+                     const char *output)
 {
-    if (sums->hidden > 0)
-        json_array_append_new(tests, json_pack("{s:s, s:s, s:f, s:f, s:s, s:s}", "name", "Hidden steps", "description",
-                                               "", "points", sums->hidden_points, "max_points", sums->hidden_points_max,
-                                               "message", "", "output", ""));
+    return json_pack("{s:s, s:s, s:f, s:f, s:s, s:s}", "name", name, "description", symbol, "points", points,
+                     "max_points", points_max, "message", message, "output", output);
 }
 
-static json_t *test_of(const ReportStep *step, size_t most_output)
+static json_t *entry_of(const ReportStep *step, size_t most_output)
 {
     char name[8200];
-    snprintf(name, sizeof name, "%s %s %s", status_table[step->status].mark, step->id, step->title);
-    const char *message = *step->message ? step->message : status_table[step->status].words;
+    const StatusInfo *status = &status_table[step->status];
+    snprintf(name, sizeof name, "%s %s %s", status->mark, step->id, step->title);
     char *words = words_of_step(step, most_output);
-    json_t *test =
-        json_pack("{s:s, s:s, s:f, s:f, s:s, s:s}", "name", name, "description", step->symbol, "points", step->points,
-                  "max_points", step->points_max, "message", message, "output", words ? words : "");
+    json_t *test = entry(name, step->symbol, step->points, step->points_max,
+                         *step->message ? step->message : status->words, words ? words : "");
     free(words);
     return test;
 }
 
-static json_t *scatter_of(const ReportScatter *scatter)
+static json_t *entry_of_scatter(const ReportScatter *scatter)
 {
     char name[80], words[5000];
-    snprintf(name, sizeof name, "%s Scatter of stage %d", status_table[scatter->status].mark, scatter->stage);
+    const StatusInfo *status = &status_table[scatter->status];
+    snprintf(name, sizeof name, "%s Scatter of stage %d", status->mark, scatter->stage);
     words_of_scatter(scatter, words, sizeof words);
-    return json_pack("{s:s, s:s, s:f, s:f, s:s, s:s}", "name", name, "description", "", "points", 0.0, "max_points",
-                     0.0, "message", *scatter->message ? scatter->message : status_table[scatter->status].words,
-                     "output", words);
+    return entry(name, "", 0.0, 0.0, *scatter->message ? scatter->message : status->words, words);
 }
 
 // The whole as text, which the caller frees. NULL: no memory.
 static char *compose(const Report *report, size_t most_output)
 {
-    ReportSums all = report_sums(report, true), seen = report_sums(report, false);
+    ReportSums all = report_sums(report, true, 0), seen = report_sums(report, false, 0);
     json_t *tests = json_array();
     for (size_t i = 0; i < report->step_count; i++)
         if (!report->steps[i].hidden)
-            json_array_append_new(tests, test_of(&report->steps[i], most_output));
+            json_array_append_new(tests, entry_of(&report->steps[i], most_output));
     for (size_t i = 0; i < report->scatter_count; i++)
-        json_array_append_new(tests, scatter_of(&report->scatters[i]));
-    add_hidden(tests, &seen);
+        json_array_append_new(tests, entry_of_scatter(&report->scatters[i]));
+    if (seen.hidden > 0)
+        json_array_append_new(tests, entry("Hidden steps", "", seen.hidden_points, seen.hidden_points_max, "", ""));
     // Of the steps graded, not of the whole course: a question may ask for one stage.
     double score = all.points_max > 0.0 ? all.points / all.points_max : 0.0;
     char message[300];

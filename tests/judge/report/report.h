@@ -86,15 +86,17 @@ bool report_read(Report *report, const char *directory, Error *error);
 void report_free(Report *report);
 void *report_keep(Report *report, size_t size); // zeroed memory that report_free frees; ends the program when short
 
-// What one reader may see: the sums leave hidden steps out, unless they are the teacher's.
+// What one reader may see: the sums leave hidden steps out, unless they are the teacher's. Of one stage, or, 0, of all.
 typedef struct {
     size_t of[STATUSES], hidden, steps;
     double points, points_max, hidden_points, hidden_points_max, seconds;
 } ReportSums;
-ReportSums report_sums(const Report *report, bool teacher);
+ReportSums report_sums(const Report *report, bool teacher, int stage);
 bool report_shows(const Report *report, const ReportStep *step);
 
 const ReportScatter *report_scatter(const Report *report, int stage); // NULL: there is none
+// The scatter as a step worth nothing, "scatter of stage 2". `title` is a part of it.
+ReportStep report_scatter_step(const ReportScatter *scatter, char title[32]);
 
 // A writer of one file. False with an error when there is no memory; a full disk shows when the file is closed.
 typedef bool ReportWriter(const Report *report, FILE *stream, Error *error);

@@ -142,7 +142,7 @@ static void check_report(const void *object, const char *path, Error *error)
         if (report->scatters[i].stage <= report->scatters[i - 1].stage)
             error_set(error, "report.json: scatters[%zu].stage: expected one more than %d; found %d", i,
                       report->scatters[i - 1].stage, report->scatters[i].stage);
-    ReportSums sums = report_sums(report, true);
+    ReportSums sums = report_sums(report, true, 0);
     for (int i = 0; i < STATUS_SKIP; i++)
         if (report->counts[i] != (int)sums.of[i])
             error_set(error, "report.json: %s is %d, but %zu steps have the status %s", report_fields[COUNTS + i].name,
@@ -194,7 +194,7 @@ static const char *path_of(Report *report)
 bool report_write(Report *report, Error *error)
 {
     report->format = FORMAT;
-    ReportSums sums = report_sums(report, true);
+    ReportSums sums = report_sums(report, true, 0);
     report->points = sums.points;
     report->points_max = sums.points_max;
     for (int i = 0; i < STATUSES; i++)

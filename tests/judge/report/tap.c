@@ -56,16 +56,26 @@ static void write_details(const ReportStep *step, FILE *stream)
     fputs("  ...\n", stream);
 }
 
+static void write_title(const ReportStep *step, size_t number, FILE *stream)
+{
+    bool wrong = step->status != STATUS_PASS && step->status != STATUS_SKIP;
+    fprintf(stream, "%s %zu - ", wrong ? "not ok" : "ok", number);
+    write_plain(stream, step->id);
+    fputc(' ', stream);
+    write_plain(stream, step->title);
+    if (step->status == STATUS_TODO || step->status == STATUS_SKIP) {
+        fputs(step->status == STATUS_TODO ? " # TODO " : " # SKIP ", stream);
+        write_plain(stream, *step->message ? step->message : status_table[step->status].words);
+    }
+    fputc('\n', stream);
+}
+
 static void write_scatter(const ReportScatter *scatter, size_t number, FILE *stream)
 {
-    bool skipped = scatter->status == STATUS_SKIP || scatter->status == STATUS_TODO;
-    fprintf(stream, "%s %zu - scatter of stage %d", status_is_wrong(scatter->status) ? "not ok" : "ok", number,
-            scatter->stage);
-    if (skipped) {
-        fputs(" # SKIP ", stream);
-        write_plain(stream, scatter->message);
-    }
-    fputs("\n  ---\n", stream);
+    char title[32];
+    ReportStep step = report_scatter_step(scatter, title);
+    write_title(&step, number, stream);
+    fputs("  ---\n", stream);
     write_field(stream, "message", scatter->message);
     fprintf(stream, "  severity: %s\n  seconds: %.3f\n", status_table[scatter->status].name, scatter->seconds);
     write_field(stream, "steps", scatter->steps);
@@ -75,7 +85,7 @@ static void write_scatter(const ReportScatter *scatter, size_t number, FILE *str
 bool report_tap(const Report *report, FILE *stream, Error *error)
 {
     (void)error;
-    ReportSums sums = report_sums(report, report->teacher);
+    ReportSums sums = report_sums(report, report->teacher, 0);
     fprintf(stream, "TAP version 14\n1..%zu%s\n", sums.steps + report->scatter_count,
             sums.steps ? "" : " # SKIP no step was graded");
     if (sums.hidden > 0)
@@ -85,16 +95,7 @@ bool report_tap(const Report *report, FILE *stream, Error *error)
         const ReportStep *step = &report->steps[i];
         if (!report_shows(report, step))
             continue;
-        bool wrong = step->status != STATUS_PASS && step->status != STATUS_SKIP;
-        fprintf(stream, "%s %zu - ", wrong ? "not ok" : "ok", ++number);
-        write_plain(stream, step->id);
-        fputc(' ', stream);
-        write_plain(stream, step->title);
-        if (step->status == STATUS_TODO || step->status == STATUS_SKIP) {
-            fputs(step->status == STATUS_TODO ? " # TODO " : " # SKIP ", stream);
-            write_plain(stream, *step->message ? step->message : status_table[step->status].words);
-        }
-        fputc('\n', stream);
+        write_title(step, ++number, stream);
         write_details(step, stream);
     }
     for (size_t i = 0; i < report->scatter_count; i++)

@@ -1,5 +1,6 @@
 #include "text.h"
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -107,6 +108,23 @@ void text_markup(FILE *stream, const char *text)
 {
     static const char *const words[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"}; // > so that ]]> never comes about
     put_replaced(stream, text, "&<>\"'", words);
+}
+
+void text_put(FILE *stream, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    for (; *format; format++) {
+        if (*format != '%')
+            fputc(*format, stream);
+        else if (*++format == 's')
+            text_markup(stream, va_arg(arguments, const char *));
+        else if (*format == 'd')
+            fprintf(stream, "%d", va_arg(arguments, int));
+        else
+            fputc(*format, stream);
+    }
+    va_end(arguments);
 }
 
 void text_quoted(FILE *stream, const char *text)

@@ -2,6 +2,8 @@
 #ifndef PHOTONLAB_JUDGE_REPORT_TEXT_H
 #define PHOTONLAB_JUDGE_REPORT_TEXT_H
 
+#include "base/error.h"
+
 #include <stddef.h>
 #include <stdio.h>
 
@@ -14,6 +16,8 @@ char *text_clean(const char *bytes, size_t size, size_t most);
 size_t text_character(const unsigned char *at, size_t left, unsigned long *code);
 
 void text_markup(FILE *stream, const char *text); // with &lt; and so on, for HTML and XML, inside quotes too
+// As fprintf, of %s, %d and %% alone, the texts with &lt; and so on.
+void text_put(FILE *stream, const char *format, ...) PRINTF_LIKE(2, 3);
 void text_quoted(FILE *stream, const char *text); // "…" as YAML has it, on one line
 void text_base64(FILE *stream, const unsigned char *bytes, size_t size);
 

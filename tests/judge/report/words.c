@@ -14,16 +14,31 @@ const ReportScatter *report_scatter(const Report *report, int stage)
     return NULL;
 }
 
+ReportStep report_scatter_step(const ReportScatter *scatter, char title[32])
+{
+    snprintf(title, 32, "of stage %d", scatter->stage);
+    return (ReportStep){.id = "scatter",
+                        .title = title,
+                        .stage = scatter->stage,
+                        .status = scatter->status,
+                        .message = scatter->message,
+                        .mistake = "scatter",
+                        .output = "",
+                        .seconds = scatter->seconds};
+}
+
 bool report_shows(const Report *report, const ReportStep *step)
 {
     return report->teacher || !step->hidden;
 }
 
-ReportSums report_sums(const Report *report, bool teacher)
+ReportSums report_sums(const Report *report, bool teacher, int stage)
 {
     ReportSums sums = {.hidden = 0};
     for (size_t i = 0; i < report->step_count; i++) {
         const ReportStep *step = &report->steps[i];
+        if (stage && step->stage != stage)
+            continue;
         if (step->hidden && !teacher) {
             sums.hidden++;
             sums.hidden_points += step->points;
