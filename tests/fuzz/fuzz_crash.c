@@ -28,7 +28,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         ran = (SandboxResult){.exit_code = i < 4 ? ends[i] : -1, .signal = i < 4 ? 0 : ends[i]};
         snprintf(ran.text, sizeof ran.text, "%s", text);
         memset(&words, 0, sizeof words);
-        crash_describe(&options, &ran, i % 2 ? "step.so" : NULL, "reflect", &words);
+        crash_describe(&options, &ran, i % 2 ? &step_table[0] : NULL, &words);
         require(words.message[0] && memchr(words.message, '\0', sizeof words.message) &&
                 memchr(words.where, '\0', sizeof words.where));
     }

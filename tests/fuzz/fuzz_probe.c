@@ -15,7 +15,6 @@ bool sandbox_run(SandboxKind kind, const SandboxRun *run, SandboxResult *result,
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static ProbeJob job;
     static ProbeRun run;
     char *const lines[] = {"call 1 2 3", "call 2 4 5", "picture box yes 2 1", "paths box 7 1", "scatter box 7 1"};
     enum { COUNT = sizeof lines / sizeof *lines };
@@ -25,8 +24,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     written_size = size - 1;
     GradeOptions options = {.build = "build", .root = ".", .speed = 1.0};
     Numbers numbers[COUNT] = {{NULL, 0}};
-    probe_job_start(&options, fuzz_folder(), "calls.txt", &job);
-    Status status = probe_job_run(&options, &job, step_table[data[0] % STEP_COUNT].id, lines, COUNT, numbers, &run);
+    ProbeJob job = {.cases = "calls.txt", .id = step_table[data[0] % STEP_COUNT].id};
+    snprintf(job.directory, sizeof job.directory, "%s", fuzz_folder());
+    Status status = probe_job_run(&options, &job, lines, COUNT, numbers, &run);
     require(run.whole <= COUNT && (status == STATUS_PASS) == (run.whole == COUNT && !run.forged));
     volatile float sum = 0.0f;
     for (size_t i = 0; i < run.whole; i++)

@@ -217,24 +217,19 @@ static void describe_signal(const GradeOptions *options, const SandboxResult *ra
         crash_describe_signal(number, words->address, place, message, size);
 }
 
-void crash_describe(const GradeOptions *options, const SandboxResult *ran, const char *object, const char *symbol,
-                    StepWords *told)
+void crash_describe(const GradeOptions *options, const SandboxResult *ran, const StepInfo *step, StepWords *told)
 {
     LastWords words;
     SourcePlace places[MOST_PLACES];
+    char object[4096], line[32];
     read_last_words(ran->text, &words);
-    char one_of_several[4096];
-    if (!object) {
-        const StepInfo *step = step_find(words.step);
-        snprintf(one_of_several, sizeof one_of_several, "%s/%s/step.so", options->work, step ? step->id : "none");
-        object = one_of_several;
-    }
+    const StepInfo *crashed = step ? step : step_find(words.step);
+    snprintf(object, sizeof object, "%s/%s/step.so", options->work, crashed ? crashed->id : "none");
     int count = find_places(options, &words, object, places);
     if (ran->exit_code >= 0)
         describe_exit(ran, told->message, sizeof told->message);
     else
         describe_signal(options, ran, &words, places, count, told->message, sizeof told->message);
-    char line[32];
     write_line(count > 0 && !words.stack_overflow ? places[0].line : 0, line, sizeof line);
-    snprintf(told->where, sizeof told->where, "%s%s", count > 0 ? places[0].function : symbol, line);
+    snprintf(told->where, sizeof told->where, "%s%s", count > 0 ? places[0].function : step ? step->symbol : "", line);
 }

@@ -47,10 +47,9 @@ Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, 
 // Where the step printed and failed: keeps of what it printed what it prints in the case that failed, run again alone.
 void show_printed(const GradeOptions *options, StepResult *result);
 
-// Fills in message and where for a run that did not get through. `object` NULL: several steps ran, and the probe says in which of
-// them it was.
-void crash_describe(const GradeOptions *options, const SandboxResult *ran, const char *object, const char *symbol,
-                    StepWords *words);
+// Fills in message and where for a run that did not get through. `step` NULL: several ran, and the probe says in which of them it
+// was.
+void crash_describe(const GradeOptions *options, const SandboxResult *ran, const StepInfo *step, StepWords *words);
 
 // Who likely made which mistake: compares features with tests/mistakes/features.txt.
 void diagnose(const GradeOptions *options, StepResult *result);

@@ -16,32 +16,34 @@
 #define MEMORY_MB 512
 #define RESULT_MB 64
 
-void probe_job_start(const GradeOptions *options, const char *directory, const char *cases, ProbeJob *job)
-{
-    memset(job, 0, sizeof *job);
-    job->directory = directory;
-    job->cpu_seconds = options->cpu_seconds;
-    snprintf(job->cases, sizeof job->cases, "%s/%s", directory, cases);
-    probe_job_show(job, "%s/probe", options->build);
-    probe_job_show(job, "%s/libphotonlab.so", options->build);
-    probe_job_show(job, "%s", job->cases);
-}
+typedef struct {
+    char paths[MOST_VISIBLE][4096];
+    int count;
+} Visible;
 
-void probe_job_words(ProbeJob *job, const char *const *words, int count)
+static PRINTF_LIKE(2, 3) void show(Visible *visible, const char *format, ...)
 {
-    for (int i = 0; i < count && job->word_count < (int)(sizeof job->words / sizeof *job->words); i++)
-        job->words[job->word_count++] = words[i];
-}
-
-void probe_job_show(ProbeJob *job, const char *format, ...)
-{
-    if (job->visible_count == MOST_VISIBLE - 1)
+    if (visible->count == MOST_VISIBLE - 1)
         return;
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(job->visible[job->visible_count], sizeof *job->visible, format, arguments);
+    vsnprintf(visible->paths[visible->count++], sizeof *visible->paths, format, arguments);
     va_end(arguments);
-    job->visible_count++;
+}
+
+static void show_all(const GradeOptions *options, const ProbeJob *job, const char *cases, Visible *visible)
+{
+    visible->count = 0;
+    show(visible, "%s/probe", options->build);
+    show(visible, "%s/libphotonlab.so", options->build);
+    show(visible, "%s/tests/steps/scenes", options->root);
+    show(visible, "%s", cases);
+    for (size_t i = 0; i < STEP_COUNT; i++) {
+        if (job->student[i])
+            show(visible, "%s/%s/step.so", options->work, step_table[i].id);
+        if (!job->hidden[i])
+            show(visible, "%s/solutions/%s.so", options->build, step_table[i].file);
+    }
 }
 
 static bool write_cases(const char *path, char *const *lines, size_t count, Error *error)
@@ -110,21 +112,19 @@ static size_t parse_result(const unsigned char *bytes, size_t size, const char *
     return count;
 }
 
-static Status could_not_run(const Error *error, ProbeRun *run)
+static bool run_it(const GradeOptions *options, const ProbeJob *job, const char *cases, int fd, SandboxResult *ran,
+                   Error *error)
 {
-    snprintf(run->message, sizeof run->message, "the judge could not run it: %.900s", error->message);
-    return STATUS_SKIP;
-}
-
-static bool run_it(const GradeOptions *options, const ProbeJob *job, int fd, SandboxResult *ran, Error *error)
-{
-    char references[4200];
+    char references[4200], object[4200];
+    Visible visible;
+    show_all(options, job, cases, &visible);
     snprintf(references, sizeof references, "%s/solutions", options->build);
-    const char *arguments[32] = {job->visible[0], "--references", references, "--fd", "3", "--root", options->root};
-    int count = 7;
-    for (int i = 0; i < job->word_count; i++)
-        arguments[count++] = job->words[i];
-    arguments[count] = job->cases;
+    snprintf(object, sizeof object, "%s/step.so", job->directory);
+    const char *const one[] = {"--step", job->id, "--object", object};
+    const char *const several[] = {"--several", job->list, "--objects", options->work};
+    const char *const *who = job->id ? one : several, *program = visible.paths[0];
+    const char *const arguments[] = {program, "--references", references, "--fd", "3",   "--root", options->root,
+                                     who[0],  who[1],         who[2],     who[3], cases, NULL};
     SandboxRun run = {.arguments = arguments,
                       .result_fd = fd,
                       .cpu_seconds = job->cpu_seconds * options->speed,
@@ -132,19 +132,22 @@ static bool run_it(const GradeOptions *options, const ProbeJob *job, int fd, San
                       .memory_mb = options->memory_limit ? MEMORY_MB : 0,
                       .file_mb = RESULT_MB};
     memcpy(run.hidden, options->hidden, sizeof run.hidden);
-    for (int i = 0; i < job->visible_count; i++)
-        run.visible[i] = job->visible[i];
+    for (int i = 0; i < visible.count; i++)
+        run.visible[i] = visible.paths[i];
     return sandbox_run(options->sandbox, &run, ran, error);
 }
 
-Status probe_job_run(const GradeOptions *options, const ProbeJob *job, const char *id, char *const *lines, size_t count,
+Status probe_job_run(const GradeOptions *options, const ProbeJob *job, char *const *lines, size_t count,
                      Numbers *numbers, ProbeRun *run)
 {
+    const char *id = job->id ? job->id : "";
+    char cases[4096];
     Error error = {""};
     memset(run, 0, sizeof *run);
     int fd = open_result(job->directory, &error);
-    bool ready = fd >= 0 && write_cases(job->cases, lines, count, &error);
-    bool started = ready && run_it(options, job, fd, &run->sandbox, &error);
+    snprintf(cases, sizeof cases, "%s/%s", job->directory, job->cases);
+    bool ready = fd >= 0 && write_cases(cases, lines, count, &error);
+    bool started = ready && run_it(options, job, cases, fd, &run->sandbox, &error);
     size_t size = 0, total = 0;
     for (size_t i = 0; i < count; i++)
         total += probe_case_size(id, lines[i]);
@@ -154,7 +157,8 @@ Status probe_job_run(const GradeOptions *options, const ProbeJob *job, const cha
     run->storage = malloc((total + 1) * sizeof *run->storage);
     if (!started || !bytes || !run->storage) {
         free(bytes);
-        return could_not_run(&error, run);
+        snprintf(run->message, sizeof run->message, "the judge could not run it: %.900s", error.message);
+        return STATUS_SKIP;
     }
     run->whole = parse_result(bytes, size, id, lines, count, numbers, run->storage, &run->forged);
     free(bytes);

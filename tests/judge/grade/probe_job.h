@@ -5,12 +5,11 @@
 #include "judge/grade/grade.h"
 
 typedef struct {
-    const char *directory; // for its cases and results
-    char cases[4096];
-    const char *words[16]; // of its command line, but for what every probe is told
-    int word_count;
-    char visible[MOST_VISIBLE][4096];
-    int visible_count;
+    char directory[4000];                         // for its cases and results
+    const char *cases;                            // the file's name there
+    const char *id;                               // the step that it calls; NULL: those of `list` play in scenes
+    const char *list;                             // "2.1,2.4"
+    bool student[STEP_COUNT], hidden[STEP_COUNT]; // whose object is the student's, and which solutions it must not see
     double cpu_seconds;
 } ProbeJob;
 
@@ -22,14 +21,9 @@ typedef struct {
     char message[1024];
 } ProbeRun;
 
-// A job that sees the program, its library and `directory`/`cases`; the directory's text must stay.
-void probe_job_start(const GradeOptions *options, const char *directory, const char *cases, ProbeJob *job);
-void probe_job_words(ProbeJob *job, const char *const *words, int count);
-void probe_job_show(ProbeJob *job, const char *format, ...) PRINTF_LIKE(2, 3);
-
-// Writes the lines, runs the probe. `id`: the step of `call` cases. STATUS_SKIP, with a message: it could not be run;
-// STATUS_ERROR: it did not get through, or (with a message) it is forged.
-Status probe_job_run(const GradeOptions *options, const ProbeJob *job, const char *id, char *const *lines, size_t count,
+// Writes the lines, runs the probe. STATUS_SKIP, with a message: it could not be run; STATUS_ERROR: it did not get through, or
+// (with a message) it is forged.
+Status probe_job_run(const GradeOptions *options, const ProbeJob *job, char *const *lines, size_t count,
                      Numbers *numbers, ProbeRun *run);
 
 #endif

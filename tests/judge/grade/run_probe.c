@@ -29,39 +29,32 @@ static void copy_printed(const char *text, char *output, size_t size)
     output[used] = '\0';
 }
 
-static void make_job(const GradeOptions *options, const StepInfo *step, bool scene, const char *directory,
-                     const char *cases, const char *object, ProbeJob *job)
+static ProbeJob make_job(const GradeOptions *options, const StepInfo *step, bool scene, const char *cases)
 {
-    probe_job_start(options, directory, cases, job);
-    const char *const words[] = {"--step", step->id, "--object", object};
-    probe_job_words(job, words, 4);
-    probe_job_show(job, "%s", object);
-    probe_job_show(job, "%s/tests/steps/scenes", options->root);
+    ProbeJob job = {.cases = cases, .id = step->id, .cpu_seconds = options->cpu_seconds};
+    step_directory(options, step, job.directory, sizeof job.directory);
     for (size_t i = 0; i < STEP_COUNT; i++)
-        if (is_visible(step, &step_table[i], scene))
-            probe_job_show(job, "%s/solutions/%s.so", options->build, step_table[i].file);
+        job.hidden[i] = !is_visible(step, &step_table[i], scene);
+    job.student[step - step_table] = true;
+    return job;
 }
 
 Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, char *const *lines, size_t count,
                  Numbers *numbers, float **storage, long *crashed_case, StepResult *result)
 {
-    char directory[4000], object[4096];
-    step_directory(options, step, directory, sizeof directory);
-    snprintf(object, sizeof object, "%s/step.so", directory);
-    ProbeJob job;
+    ProbeJob job = make_job(options, step, scene, scene ? "scenes.txt" : "calls.txt");
     ProbeRun ran;
-    make_job(options, step, scene, directory, scene ? "scenes.txt" : "calls.txt", object, &job);
-    Status status = probe_job_run(options, &job, step->id, lines, count, numbers, &ran);
+    Status status = probe_job_run(options, &job, lines, count, numbers, &ran);
     *storage = ran.storage;
     if (*ran.message)
-        snprintf(result->words.message, sizeof result->words.message, "%s", ran.message);
+        words_say(&result->words, status, "%s", ran.message);
     if (status != STATUS_SKIP) {
         *crashed_case = (long)ran.whole;
         copy_printed(ran.sandbox.text, result->words.output + result->words.compiled,
                      sizeof result->words.output - result->words.compiled);
     }
     if (status == STATUS_ERROR && !ran.forged)
-        crash_describe(options, &ran.sandbox, object, step->symbol, &result->words);
+        crash_describe(options, &ran.sandbox, step, &result->words);
     return status;
 }
 
@@ -85,23 +78,20 @@ static char *line_of(const char *path, long number)
 
 void show_printed(const GradeOptions *options, StepResult *result)
 {
-    char *printed = result->words.output + result->words.compiled, directory[4000], path[4096], object[4096];
+    char *printed = result->words.output + result->words.compiled, path[4096];
     if (!*printed || !result->failing_cases)
         return;
-    step_directory(options, result->step, directory, sizeof directory);
-    snprintf(path, sizeof path, "%s/%s", directory, result->failing_cases);
-    snprintf(object, sizeof object, "%s/step.so", directory);
+    bool scene = strcmp(result->failing_cases, "scenes.txt") == 0;
+    ProbeJob job = make_job(options, result->step, scene, "failing.txt");
+    snprintf(path, sizeof path, "%s/%s", job.directory, result->failing_cases);
     char *line = line_of(path, result->failing_case);
-    ProbeJob job;
-    ProbeRun ran;
+    ProbeRun ran = {.storage = NULL};
     Numbers numbers;
-    make_job(options, result->step, strcmp(result->failing_cases, "scenes.txt") == 0, directory, "failing.txt", object,
-             &job);
-    if (line && probe_job_run(options, &job, result->step->id, &line, 1, &numbers, &ran) != STATUS_SKIP) {
+    if (line && probe_job_run(options, &job, &line, 1, &numbers, &ran) != STATUS_SKIP) {
         size_t room = sizeof result->words.output - result->words.compiled;
         size_t said = (size_t)snprintf(printed, room, "(in the case that failed)\n");
         copy_printed(ran.sandbox.text, printed + said, room - said);
     }
-    free(line ? ran.storage : NULL);
+    free(ran.storage);
     free(line);
 }

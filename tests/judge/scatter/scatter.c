@@ -18,25 +18,24 @@ const ScatterStage scatter_stages[STAGE_COUNT] = {
     [2] = {"tests/steps/scenes/scatter_3.yaml", 12000, 16, "photon"},
 };
 
-// Who plays: the student's steps by their place in the table.
+// Who plays: the student's steps by their place in the table, and which solutions they must not see.
 typedef struct {
-    bool student[STEP_COUNT], hide[STEP_COUNT];
+    bool student[STEP_COUNT], hidden[STEP_COUNT];
     char list[100]; // "2.1,2.4"
     char play[40];  // "2.4,3.4"
 } Cast;
 
-// Their names, and which solutions they must not see.
 static void list_cast(Cast *cast)
 {
     cast->list[0] = '\0';
-    memset(cast->hide, 0, sizeof cast->hide);
+    memset(cast->hidden, 0, sizeof cast->hidden);
     for (size_t i = 0; i < STEP_COUNT; i++) {
         if (!cast->student[i])
             continue;
         text_append(cast->list, sizeof cast->list, "%s%s", *cast->list ? "," : "", step_table[i].id);
-        cast->hide[i] = true;
+        cast->hidden[i] = true;
         for (size_t j = 0; j < STEP_COUNT; j++) // solutions that do the same work are hidden, too
-            cast->hide[j] = cast->hide[j] || steps_are_paired(&step_table[i], &step_table[j]);
+            cast->hidden[j] = cast->hidden[j] || steps_are_paired(&step_table[i], &step_table[j]);
     }
 }
 
@@ -100,26 +99,20 @@ static bool run(const Stage *s, bool reference, uint64_t seed, ScatterPhotons *p
     char line[400], *lines[] = {line};
     snprintf(line, sizeof line, "scatter %s %ld %ld %d %s %llu", s->stage->scene, s->stage->photons, SCATTER_MOST,
              s->stage->depth, s->cast.play, (unsigned long long)seed);
-    ProbeJob job;
-    probe_job_start(o, s->directory, reference ? "reference.txt" : "scatter.txt", &job);
-    const char *const words[] = {"--several", cast->list, "--objects", o->work};
-    probe_job_words(&job, words, 4);
-    probe_job_show(&job, "%s/tests/steps/scenes", o->root);
-    for (size_t i = 0; i < STEP_COUNT; i++) {
-        if (!cast->hide[i])
-            probe_job_show(&job, "%s/solutions/%s.so", o->build, step_table[i].file);
-        if (cast->student[i])
-            probe_job_show(&job, "%s/%s/step.so", o->work, step_table[i].id);
-    }
-    job.cpu_seconds = o->cpu_seconds / 3.0; // it takes a twentieth of a second
+    ProbeJob job = {.cases = reference ? "reference.txt" : "scatter.txt",
+                    .list = cast->list,
+                    .cpu_seconds = o->cpu_seconds / 3.0}; // it takes a twentieth of a second
+    memcpy(job.directory, s->directory, sizeof job.directory);
+    memcpy(job.student, cast->student, sizeof job.student);
+    memcpy(job.hidden, cast->hidden, sizeof job.hidden);
     Numbers numbers = {NULL, 0};
     ProbeRun ran;
     StepWords told;
-    result->status = probe_job_run(o, &job, "", lines, 1, &numbers, &ran);
+    result->status = probe_job_run(o, &job, lines, 1, &numbers, &ran);
     if (result->status == STATUS_SKIP || ran.forged)
         snprintf(result->message, sizeof result->message, "%.1000s", ran.message);
     else if (result->status == STATUS_ERROR) {
-        crash_describe(o, &ran.sandbox, NULL, "", &told);
+        crash_describe(o, &ran.sandbox, NULL, &told);
         snprintf(result->message, sizeof result->message, "%s did not get through: %.800s",
                  reference ? "the reference" : result->steps, told.message);
     }
