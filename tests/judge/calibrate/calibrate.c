@@ -24,34 +24,6 @@ static const char help[] = "usage: calibrate [flags] [SET …]      sets: 1 2_so
 
 const char *judge_root = ".";
 
-GroupRun group_run(const Arguments *a, const PictureSet *set, uint64_t purpose, long groups)
-{
-    static char solution[4300];
-    uint64_t seed = hash_u64((uint64_t)a->seed);
-    for (const char *c = set->name; *c; c++)
-        seed = hash_u64(seed ^ (uint64_t)(unsigned char)*c);
-    const char *step = a->step ? a->step : set->step;
-    snprintf(solution, sizeof solution, "%s/solutions/%s.so", a->build, step_find(step)->file);
-    return (GroupRun){.set = set,
-                      .build = a->build,
-                      .step = step,
-                      .object = a->object ? a->object : solution,
-                      .seed = hash_u64(seed + purpose),
-                      .groups = groups,
-                      .jobs = a->jobs};
-}
-
-static int compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-void sort(double *values, long count)
-{
-    qsort(values, (size_t)count, sizeof *values, compare);
-}
-
 // 0 when the arguments are right, otherwise the exit code or HELP_SHOWN. Names of sets go to `sets`.
 static int parse(int count, char **arguments, Arguments *a, const char **sets)
 {

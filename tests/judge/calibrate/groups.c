@@ -1,6 +1,5 @@
 #define _GNU_SOURCE // popen, mkstemp
-#include "groups.h"
-
+#include "calibrate.h"
 #include "judge/probe/probe_sizes.h"
 
 #include <stdio.h>
@@ -10,10 +9,25 @@
 
 #define BLOCK 10 // groups that one probe draws
 
-// The block's pictures, planned as the judge plans them. The path's last six letters are filled in.
-static bool write_cases(const GroupRun *run, long block, long groups, char *path)
+typedef struct {
+    const Arguments *a;
+    const PictureSet *set;
+    uint64_t purpose;
+    long groups;
+} Run;
+
+static uint64_t seed_of(const Run *run, long block)
 {
-    Plan plan = {.seed = hash_u64(run->seed + hash_u64((uint64_t)block))};
+    uint64_t seed = hash_u64((uint64_t)run->a->seed);
+    for (const char *c = run->set->name; *c; c++)
+        seed = hash_u64(seed ^ (uint64_t)(unsigned char)*c);
+    return hash_u64(hash_u64(seed + run->purpose) + hash_u64((uint64_t)block));
+}
+
+// The block's pictures, planned as the judge plans them. The path's last six letters are filled in.
+static bool write_cases(const Run *run, long block, long groups, char *path)
+{
+    Plan plan = {.seed = seed_of(run, block)};
     for (long i = 0; i < groups; i++)
         picture_set_plan(run->set, &plan);
     int fd = mkstemp(path);
@@ -35,12 +49,15 @@ static bool read_picture(FILE *pipe, uint32_t number, size_t floats, float *valu
 }
 
 // What the probe sends, into values.
-static bool draw(const GroupRun *run, const char *cases, size_t pictures, size_t floats, float *values)
+static bool draw(const Run *run, const char *cases, size_t pictures, size_t floats, float *values)
 {
-    char command[16384], magic[sizeof PROBE_MAGIC] = "";
+    char solution[4300], command[16384], magic[sizeof PROBE_MAGIC] = "";
+    const Arguments *a = run->a;
+    const char *step = a->step ? a->step : run->set->step;
+    snprintf(solution, sizeof solution, "%s/solutions/%s.so", a->build, step_find(step)->file);
     snprintf(command, sizeof command,
-             "'%s/probe' --step %s --object '%s' --references '%s/solutions' --fd 3 '%s' 3>&1 1>/dev/null", run->build,
-             run->step, run->object, run->build, cases);
+             "'%s/probe' --step %s --object '%s' --references '%s/solutions' --fd 3 '%s' 3>&1 1>/dev/null", a->build,
+             step, a->object ? a->object : solution, a->build, cases);
     FILE *pipe = popen(command, "r");
     if (!pipe)
         return false;
@@ -50,14 +67,14 @@ static bool draw(const GroupRun *run, const char *cases, size_t pictures, size_t
     return pclose(pipe) == 0 && ok;
 }
 
-static bool run_block(const GroupRun *run, long block, void (*each)(long, const Results *, void *), void *data)
+static bool run_block(const Run *run, long block, void (*each)(long, const Results *, void *), void *data)
 {
     long first = block * BLOCK, groups = run->groups - first < BLOCK ? run->groups - first : BLOCK;
     size_t floats = (size_t)run->set->side * (size_t)run->set->side * 3, replicates = (size_t)run->set->replicates;
     size_t pictures = (size_t)groups * replicates;
     float *values = malloc(pictures * floats * sizeof *values);
     char cases[4200];
-    snprintf(cases, sizeof cases, "%s/calibrate-XXXXXX", run->build);
+    snprintf(cases, sizeof cases, "%s/calibrate-XXXXXX", run->a->build);
     bool ok = values && write_cases(run, block, groups, cases);
     ok = ok && draw(run, cases, pictures, floats, values);
     unlink(cases);
@@ -71,12 +88,14 @@ static bool run_block(const GroupRun *run, long block, void (*each)(long, const 
     return ok;
 }
 
-bool groups_run(const GroupRun *run, void (*each)(long group, const Results *pictures, void *data), void *data)
+bool groups_run(const Arguments *a, const PictureSet *set, uint64_t purpose, long groups,
+                void (*each)(long group, const Results *pictures, void *data), void *data)
 {
-    long blocks = (run->groups + BLOCK - 1) / BLOCK;
+    const Run run = {a, set, purpose, groups};
+    long blocks = (groups + BLOCK - 1) / BLOCK;
     bool ok = true;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(parallel_threads(run->jobs)) reduction(&& : ok)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(parallel_threads(a->jobs)) reduction(&& : ok)
     for (long block = 0; block < blocks; block++)
-        ok = ok && run_block(run, block, each, data);
+        ok = ok && run_block(&run, block, each, data);
     return ok;
 }

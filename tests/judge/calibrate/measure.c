@@ -1,5 +1,4 @@
 // How often groups of pictures fail in the first round, by the judge's own functions.
-#include "judge/checks/step_checks.h"
 #include "judge/checks/statistics.h"
 #include "calibrate.h"
 
@@ -8,13 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PICTURE_SET(set, ...) {judge_picture_##set, judge_picture_and_v_##set},
-static void (*const judges[PICTURE_SETS][2])(const Results *, Finding *) = {
-#include "judge/checks/pictures.def"
-};
-
 typedef struct {
-    void (*judge)(const Results *, Finding *);
+    const PictureSet *set;
     double *T, *V;
     long failed_T, failed_V, failed;
     char message[600];
@@ -24,7 +18,7 @@ static void measure_group(long group, const Results *pictures, void *data)
 {
     Measure *m = data;
     Finding finding = {.p = 1.0, .failing_case = -1};
-    m->judge(pictures, &finding);
+    picture_set_judge(m->set, m->set->V_counts, pictures, &finding);
     bool wrong = finding.failed || finding.p < 1.0;
     bool T = finding.failed || finding.T > finding.T_threshold;
     m->T[group] = finding.failed ? INFINITY : finding.T;
@@ -49,14 +43,13 @@ static void print_share(const char *what, long hits, long trials)
 
 bool measure_set(const Arguments *a, const PictureSet *set)
 {
-    Measure m = {.judge = judges[set - picture_sets][set->V_counts],
+    Measure m = {.set = set,
                  .T = must(calloc((size_t)a->measure, sizeof(double))),
                  .V = must(calloc((size_t)a->measure, sizeof(double)))};
-    GroupRun run = group_run(a, set, PURPOSE_MEASURE, a->measure);
-    bool ok = groups_run(&run, measure_group, &m);
+    bool ok = groups_run(a, set, PURPOSE_MEASURE, a->measure, measure_group, &m);
     if (ok) {
-        sort(m.T, a->measure);
-        sort(m.V, a->measure);
+        sort_values(m.T, a->measure);
+        sort_values(m.V, a->measure);
         printf("%-8s %-28s", set->name, a->name ? a->name : a->object ? a->object : "right code");
         print_share("fail", m.failed, a->measure);
         printf("  by T %ld, by V %ld  T %.1f … %.1f … %.1f  V median %.2f\n", m.failed_T, m.failed_V, m.T[0],

@@ -58,10 +58,9 @@ static void spread_of_pixels(const PictureSet *set, const float *all, long rende
 static bool find_spread(const Arguments *a, const PictureSet *set, PictureReference *reference, Image *mean)
 {
     long groups = a->renders / set->replicates;
-    GroupRun run = group_run(a, set, PURPOSE_SPREAD, groups);
     size_t floats = (size_t)set->side * (size_t)set->side * 3;
     float *all = must(malloc((size_t)groups * (size_t)set->replicates * floats * sizeof *all));
-    bool ok = groups_run(&run, keep_pixels, all);
+    bool ok = groups_run(a, set, PURPOSE_SPREAD, groups, keep_pixels, all);
     if (ok) {
         spread_of_features(set, all, groups * set->replicates, reference);
         spread_of_pixels(set, all, groups * set->replicates, reference, mean);
@@ -91,7 +90,7 @@ static void keep_scores(long group, const Results *pictures, void *data)
 // it is as likely to take any of the n + 1 ranks. Sorts the values.
 static double conformal_threshold(double *values, long count)
 {
-    sort(values, count);
+    sort_values(values, count);
     long rank = (long)ceil((double)(count + 1) * (1.0 - LEVEL));
     return values[rank - 1];
 }
@@ -100,8 +99,7 @@ static bool find_thresholds(const Arguments *a, const PictureSet *set, PictureRe
 {
     Scores scores = {set, reference, must(calloc((size_t)a->groups, sizeof(double))),
                      must(calloc((size_t)a->groups, sizeof(double)))};
-    GroupRun run = group_run(a, set, PURPOSE_THRESHOLDS, a->groups);
-    bool ok = groups_run(&run, keep_scores, &scores);
+    bool ok = groups_run(a, set, PURPOSE_THRESHOLDS, a->groups, keep_scores, &scores);
     Sums sums = {0, 0, 0};
     for (long i = 0; i < a->groups; i++)
         sums_add(&sums, scores.log_variance[i]);

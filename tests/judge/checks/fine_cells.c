@@ -1,8 +1,6 @@
 // Directions of density cos/π about +z: φ/2π and cos² are even from 0 to 1.
 #include "judge/checks/directions.h"
 
-#include <stdlib.h>
-
 #define EIGHTHS 8
 #define DEGREES 360
 #define RINGS   1000
@@ -39,18 +37,12 @@ static double even_p(const double *observed, int cells, double total)
     return chi_square_p(observed, wanted, cells);
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // Sorted, since where φ is 0 is everyone's own choice.
 static void eighths_features(const FineCount *count, double off[EIGHTHS], Finding *finding)
 {
     for (int i = 0; i < EIGHTHS; i++)
         off[i] = count->eighths[i] * EIGHTHS / count->count - 1.0;
-    qsort(off, EIGHTHS, sizeof *off, by_value);
+    sort_values(off, EIGHTHS);
     for (int i = 0; i < EIGHTHS; i++)
         finding_feature(finding, off[i], sqrt((EIGHTHS - 1) / count->count));
 }

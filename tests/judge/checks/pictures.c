@@ -187,7 +187,7 @@ static void keep_pictures(const PictureSet *set, const Results *results, Finding
     }
 }
 
-static void judge_set(const PictureSet *set, bool V_counts, const Results *results, Finding *finding)
+void picture_set_judge(const PictureSet *set, bool V_counts, const Results *results, Finding *finding)
 {
     Error error = {""};
     PictureReference reference;
@@ -219,10 +219,10 @@ static void judge_set(const PictureSet *set, bool V_counts, const Results *resul
     }                                                                                                                  \
     void judge_picture_##set(const Results *results, Finding *finding)                                                 \
     {                                                                                                                  \
-        judge_set(&picture_sets[PICTURE_SET_##set], false, results, finding);                                          \
+        picture_set_judge(&picture_sets[PICTURE_SET_##set], false, results, finding);                                  \
     }                                                                                                                  \
     void judge_picture_and_v_##set(const Results *results, Finding *finding)                                           \
     {                                                                                                                  \
-        judge_set(&picture_sets[PICTURE_SET_##set], true, results, finding);                                           \
+        picture_set_judge(&picture_sets[PICTURE_SET_##set], true, results, finding);                                   \
     }
 #include "judge/checks/pictures.def"

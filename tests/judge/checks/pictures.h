@@ -36,6 +36,7 @@ enum {
 };
 extern const PictureSet picture_sets[PICTURE_SETS];
 void picture_set_plan(const PictureSet *set, Plan *plan);
+void picture_set_judge(const PictureSet *set, bool V_counts, const Results *results, Finding *finding);
 
 // What right code's pictures are like.
 typedef struct {

@@ -2,6 +2,7 @@
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
+#include <stdlib.h>
 
 double chi_square_p(const double *observed, const double *expected, int bins)
 {
@@ -77,4 +78,15 @@ double sums_error(const Sums *sums)
 {
     double mean = sums_mean(sums);
     return sqrt(fmax(0.0, sums->squares / sums->count - mean * mean) / (sums->count - 1.0));
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+void sort_values(double *values, long count)
+{
+    qsort(values, (size_t)count, sizeof *values, by_value);
 }

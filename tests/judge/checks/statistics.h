@@ -25,4 +25,6 @@ void sums_add(Sums *sums, double value);
 double sums_mean(const Sums *sums);
 double sums_error(const Sums *sums); // of the mean
 
+void sort_values(double *values, long count);
+
 #endif
