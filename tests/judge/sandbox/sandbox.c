@@ -29,8 +29,7 @@ static bool add_arguments(const SandboxRun *run, Launch *launch, Error *error)
         return error_set(error, "%s: no such program", run->arguments[0]);
     words_add(&launch->arguments, "%s", program);
     free(program);
-    for (const char *const *word = run->arguments + 1; *word; word++)
-        words_add(&launch->arguments, "%s", *word);
+    words_add_each(&launch->arguments, run->arguments + 1);
     for (int i = 0; i < MOST_VISIBLE && run->visible[i]; i++)
         words_add(&launch->readable, "%s", run->visible[i]);
     if (run->writable)
@@ -42,7 +41,7 @@ static bool prepare(SandboxKind kind, const SandboxRun *run, Launch *launch, Err
 {
     *launch = (Launch){.filter_fd = -1, .ruleset_fd = -1, .uid_lock = -1};
     fill_environment(run, &launch->environment);
-    if (kind != SANDBOX_NONE && (launch->filter_fd = sandbox_filter(kind, run, error)) < 0)
+    if (kind != SANDBOX_NONE && !sandbox_filter(kind, run, launch, error))
         return false;
     if (kind == SANDBOX_BUBBLEWRAP && !sandbox_bubblewrap(run, launch, error))
         return false;
@@ -50,8 +49,7 @@ static bool prepare(SandboxKind kind, const SandboxRun *run, Launch *launch, Err
         return false;
     if (kind >= SANDBOX_LANDLOCK && !add_arguments(run, launch, error))
         return false;
-    if (kind == SANDBOX_LANDLOCK &&
-        !(sandbox_landlock_prepare(run, launch, "", error) && sandbox_filter_read(launch, error)))
+    if (kind == SANDBOX_LANDLOCK && !sandbox_landlock_prepare(run, launch, "", error))
         return false;
     if (launch->arguments.out_of_memory || launch->environment.out_of_memory || launch->readable.out_of_memory)
         return error_set(error, "not enough memory");

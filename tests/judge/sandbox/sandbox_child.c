@@ -1,5 +1,5 @@
 // From fork to exec: descriptors, limits, user, filter.
-#define _GNU_SOURCE // F_DUPFD beyond POSIX headers, syscall
+#define _GNU_SOURCE // F_DUPFD beyond POSIX headers, syscall, vasprintf
 #include "judge/sandbox/sandbox_parts.h"
 
 #include "base/array.h"
@@ -28,19 +28,20 @@ void words_add(Words *words, const char *format, ...)
         words->out_of_memory = true;
         return;
     }
-    va_list arguments, again;
+    va_list arguments;
     va_start(arguments, format);
-    va_copy(again, arguments);
-    int length = vsnprintf(NULL, 0, format, arguments);
+    if (vasprintf(&words->list[words->count], format, arguments) >= 0)
+        words->count++;
+    else
+        words->out_of_memory = true;
     va_end(arguments);
-    char *word = length >= 0 ? malloc((size_t)length + 1) : NULL;
-    words->out_of_memory = words->out_of_memory || !word;
-    if (word) {
-        vsnprintf(word, (size_t)length + 1, format, again);
-        words->list[words->count++] = word;
-    }
     words->list[words->count] = NULL;
-    va_end(again);
+}
+
+void words_add_each(Words *words, const char *const *each)
+{
+    for (; *each; each++)
+        words_add(words, "%s", *each);
 }
 
 void words_free(Words *words)

@@ -6,15 +6,9 @@
 
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-int sandbox_filter(SandboxKind kind, const SandboxRun *run, Error *error)
+bool sandbox_filter(SandboxKind kind, const SandboxRun *run, Launch *launch, Error *error)
 {
-    error_set(error, "the sandbox needs Linux");
-    return -1;
-}
-
-bool sandbox_filter_read(Launch *launch, Error *error)
-{
-    return false;
+    return error_set(error, "the sandbox needs Linux");
 }
 
 bool sandbox_filter_enter(const Launch *launch)

@@ -124,32 +124,30 @@ static int export_filter(SandboxKind kind, const SandboxRun *run, scmp_filter_ct
     return fd;
 }
 
-int sandbox_filter(SandboxKind kind, const SandboxRun *run, Error *error)
+static bool load(Launch *launch)
 {
-    int fd = -1;
+    struct stat state;
+    if (fstat(launch->filter_fd, &state) != 0 || state.st_size <= 0)
+        return false;
+    launch->filter_size = (size_t)state.st_size;
+    launch->filter = malloc(launch->filter_size);
+    return launch->filter && pread(launch->filter_fd, launch->filter, launch->filter_size, 0) == state.st_size;
+}
+
+bool sandbox_filter(SandboxKind kind, const SandboxRun *run, Launch *launch, Error *error)
+{
 #pragma omp critical(sandbox_filter)
     { // the library does not say whether several threads may use it
         scmp_filter_ctx filter = seccomp_init(run->compiler ? SCMP_ACT_ALLOW : SCMP_ACT_ERRNO(ENOSYS));
         if (filter)
-            fd = export_filter(kind, run, filter);
+            launch->filter_fd = export_filter(kind, run, filter);
         if (filter)
             seccomp_release(filter);
     }
-    if (fd < 0)
-        error_set(error, "the filter of system calls could not be made");
-    return fd;
-}
-
-bool sandbox_filter_read(Launch *launch, Error *error)
-{
-    struct stat state;
-    if (fstat(launch->filter_fd, &state) != 0 || state.st_size <= 0)
-        return error_set(error, "the filter of system calls could not be read");
-    launch->filter_size = (size_t)state.st_size;
-    launch->filter = malloc(launch->filter_size);
-    if (!launch->filter || pread(launch->filter_fd, launch->filter, launch->filter_size, 0) != state.st_size)
-        return error_set(error, "the filter of system calls could not be read");
-    return true;
+    if (launch->filter_fd < 0)
+        return error_set(error, "the filter of system calls could not be made");
+    return kind == SANDBOX_BUBBLEWRAP || load(launch) ||
+           error_set(error, "the filter of system calls could not be read");
 }
 
 bool sandbox_filter_enter(const Launch *launch)

@@ -14,7 +14,9 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#ifdef SYS_landlock_create_ruleset
+#ifndef SYS_landlock_create_ruleset // headers older than it: calls that no kernel knows
+enum { SYS_landlock_create_ruleset = -1, SYS_landlock_add_rule = -1, SYS_landlock_restrict_self = -1 };
+#endif
 
 // As linux/landlock.h has them, which is older than the kernel on some systems.
 enum {
@@ -118,25 +120,3 @@ bool sandbox_landlock_enter(int ruleset)
     close(ruleset);
     return ok;
 }
-
-#else
-
-bool sandbox_landlock_is_there(bool alone)
-{
-    (void)alone;
-    return false;
-}
-
-bool sandbox_landlock_prepare(const SandboxRun *run, Launch *launch, const char *folder, Error *error)
-{
-    (void)run, (void)launch, (void)folder;
-    return error_set(error, "no Landlock here");
-}
-
-bool sandbox_landlock_enter(int ruleset)
-{
-    (void)ruleset;
-    return false;
-}
-
-#endif

@@ -14,6 +14,7 @@ typedef struct {
 } Words;
 
 void words_add(Words *words, const char *format, ...) PRINTF_LIKE(2, 3);
+void words_add_each(Words *words, const char *const *each); // NULL last
 void words_free(Words *words);
 
 // Everything that the child needs between fork and exec, where nothing may be allocated any more.
@@ -21,7 +22,7 @@ typedef struct {
     Words arguments, environment;
     int filter_fd;             // bubblewrap reads the filter from here; −1: none
     int ruleset_fd;            // what Landlock lets it open; −1: anything
-    void *filter;              // SANDBOX_UID: the filter's instructions, loaded by the child itself
+    void *filter;              // not bubblewrap: the filter's instructions, loaded by the child itself
     size_t filter_size;        // bytes
     uid_t uid;                 // also its group; 0: stays who it is
     int uid_lock;              // held while the uid is in use
@@ -67,11 +68,8 @@ void sandbox_become(SandboxKind kind, const SandboxRun *run, const Launch *launc
 // Reads what the child prints until it has ended, or has to be ended. Takes its state.
 void sandbox_watch(pid_t child, int out, const SandboxRun *run, SandboxResult *result);
 
-// A seccomp filter as instructions of the kernel's, in a file without a name. −1 with a reason.
-int sandbox_filter(SandboxKind kind, const SandboxRun *run, Error *error);
-
-// The filter loaded from filter_fd into memory.
-bool sandbox_filter_read(Launch *launch, Error *error);
+// Launch's seccomp filter as instructions of the kernel's: in a file without a name and, but for bubblewrap, in memory.
+bool sandbox_filter(SandboxKind kind, const SandboxRun *run, Launch *launch, Error *error);
 // In the child: from here on the filter holds. False: errno.
 bool sandbox_filter_enter(const Launch *launch);
 // In the child: it is killed when the judge ends, however that ends, where the kernel can.

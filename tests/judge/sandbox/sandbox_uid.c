@@ -96,8 +96,7 @@ bool sandbox_uid_prepare(const SandboxRun *run, Launch *launch, Error *error)
         add_argument(run, launch, copied, *word);
     words_add(&launch->environment, "TMPDIR=%s%s", launch->folder, run->writable ? run->writable : "");
     launch->hidden = run->hidden;
-    return (!sandbox_landlock_is_there(false) || sandbox_landlock_prepare(run, launch, launch->folder, error)) &&
-           sandbox_filter_read(launch, error);
+    return !sandbox_landlock_is_there(false) || sandbox_landlock_prepare(run, launch, launch->folder, error);
 }
 
 const char *sandbox_uid_enter(const Launch *launch, const char **path)

@@ -1,4 +1,4 @@
-#include "judge/sandbox/test/killed_judge.h"
+#include "judge/sandbox/test/inside.h"
 
 #include <poll.h>
 #include <setjmp.h>

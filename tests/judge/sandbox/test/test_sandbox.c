@@ -3,7 +3,6 @@
 #define _GNU_SOURCE // memfd_create
 #include "judge/sandbox/sandbox_parts.h"
 #include "judge/sandbox/test/inside.h"
-#include "judge/sandbox/test/killed_judge.h"
 
 #include <fcntl.h>
 #include <grp.h>
