@@ -18,9 +18,7 @@ typedef struct {
 
 static uint64_t seed_of(const Run *run, long block)
 {
-    uint64_t seed = hash_u64((uint64_t)run->a->seed);
-    for (const char *c = run->set->name; *c; c++)
-        seed = hash_u64(seed ^ (uint64_t)(unsigned char)*c);
+    uint64_t seed = hash_text(hash_u64((uint64_t)run->a->seed), run->set->name);
     return hash_u64(hash_u64(seed + run->purpose) + hash_u64((uint64_t)block));
 }
 
@@ -32,12 +30,9 @@ static bool write_cases(const Run *run, long block, long groups, char *path)
         picture_set_plan(run->set, &plan);
     int fd = mkstemp(path);
     FILE *file = fd >= 0 ? fdopen(fd, "w") : NULL;
-    for (size_t i = 0; i < plan.count; i++) {
-        if (file)
-            fprintf(file, "%s\n", plan.lines[i]);
-        free(plan.lines[i]);
-    }
-    free(plan.lines);
+    for (size_t i = 0; file && i < plan.count; i++)
+        fprintf(file, "%s\n", plan.lines[i]);
+    plan_free(&plan);
     return file && fclose(file) == 0;
 }
 

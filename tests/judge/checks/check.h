@@ -20,13 +20,17 @@
 typedef enum { CHECK_VALUES, CHECK_SAMPLES, CHECK_ENERGY, CHECK_INVARIANT, CHECK_PICTURE, CHECK_KINDS } CheckKind;
 extern const char *const check_kind_names[CHECK_KINDS]; // "values", …
 
-// The cases of one check, in the order they were planned.
+// The cases of checks that run together, in the order they were planned.
 typedef struct {
     char **lines;
     size_t count, capacity;
+    size_t first;     // the line at which this check's cases begin
     uint64_t seed;    // of this check in this round; case i takes hash_u64(seed + i)
     const char *step; // whose check it is
 } Plan;
+void plan_free(Plan *plan);
+
+uint64_t hash_text(uint64_t hash, const char *text); // goes on from `hash`
 
 // Memory that was asked for; without it the judge ends.
 void *must(void *memory);

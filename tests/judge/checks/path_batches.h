@@ -8,7 +8,7 @@
 
 #include "judge/checks/step_checks.h"
 
-#include "judge/probe/probe_batch.h"
+#include "judge/probe/probe_sizes.h"
 
 // One case of one batch.
 typedef struct {

@@ -109,9 +109,7 @@ static uint64_t scene_hash(const PictureSet *set, const char *root)
     Error ignored = {""};
     snprintf(path, sizeof path, "%s/%s", root, set->scene);
     char *text = file_read(path, 1u << 20, &size, &ignored);
-    uint64_t hash = 0;
-    for (size_t i = 0; text && i < size; i++)
-        hash = hash_u64(hash ^ (uint64_t)(unsigned char)text[i]);
+    uint64_t hash = hash_text(0, text ? text : "");
     free(text);
     return hash;
 }

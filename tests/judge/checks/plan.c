@@ -1,4 +1,6 @@
+#define _GNU_SOURCE // vasprintf
 #include "judge/checks/check.h"
+#include "base/array.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -18,19 +20,35 @@ void *must(void *memory)
     return memory;
 }
 
-static size_t plan_line(Plan *plan, char *line)
+uint64_t hash_text(uint64_t hash, const char *text)
 {
-    if (plan->count == plan->capacity) {
-        plan->capacity = plan->capacity ? 2 * plan->capacity : 64;
-        plan->lines = must(realloc(plan->lines, plan->capacity * sizeof *plan->lines));
-    }
-    plan->lines[plan->count] = line;
-    return plan->count++;
+    for (; *text; text++)
+        hash = hash_u64(hash ^ (uint64_t)(unsigned char)*text);
+    return hash;
 }
 
-static uint64_t next_seed(const Plan *plan)
+static unsigned long long next_seed(const Plan *plan)
 {
-    return hash_u64(plan->seed + plan->count);
+    return hash_u64(plan->seed + plan->count - plan->first);
+}
+
+static PRINTF_LIKE(2, 3) size_t plan_line(Plan *plan, const char *format, ...)
+{
+    va_list arguments;
+    if (!array_reserve(&plan->lines, plan->count + 1, &plan->capacity, sizeof *plan->lines))
+        must(NULL);
+    va_start(arguments, format);
+    if (vasprintf(&plan->lines[plan->count], format, arguments) < 0)
+        must(NULL);
+    va_end(arguments);
+    return plan->count++ - plan->first;
+}
+
+void plan_free(Plan *plan)
+{
+    for (size_t i = 0; i < plan->count; i++)
+        free(plan->lines[i]);
+    free(plan->lines);
 }
 
 size_t plan_call(Plan *plan, long count, const double *arguments, size_t argument_count)
@@ -40,32 +58,25 @@ size_t plan_call(Plan *plan, long count, const double *arguments, size_t argumen
 
 size_t plan_call_in(Plan *plan, const char *scene, long count, const double *arguments, size_t argument_count)
 {
-    size_t size = 64 + strlen(scene) + 32 * argument_count;
-    char *line = must(malloc(size));
-    int length =
-        snprintf(line, size, "call %ld %llu%s%s", count, (unsigned long long)next_seed(plan), *scene ? " " : "", scene);
+    size_t size = 1 + 32 * argument_count, length = 0;
+    char *numbers = must(calloc(size, 1));
     for (size_t i = 0; i < argument_count; i++)
-        length += snprintf(line + length, size - (size_t)length, " %.9g", arguments[i]);
-    return plan_line(plan, line);
+        length += (size_t)snprintf(numbers + length, size - length, " %.9g", arguments[i]);
+    size_t number = plan_line(plan, "call %ld %llu%s%s%s", count, next_seed(plan), *scene ? " " : "", scene, numbers);
+    free(numbers);
+    return number;
 }
 
 size_t plan_paths(Plan *plan, const char *scene, long photons, long batches, int depth, const char *steps_text)
 {
-    size_t size = strlen(scene) + strlen(steps_text) + 128;
-    char *line = must(malloc(size));
-    snprintf(line, size, "paths %s %ld %ld %d %s %llu", scene, photons, batches, depth, steps_text,
-             (unsigned long long)next_seed(plan));
-    return plan_line(plan, line);
+    return plan_line(plan, "paths %s %ld %ld %d %s %llu", scene, photons, batches, depth, steps_text, next_seed(plan));
 }
 
 size_t plan_picture(Plan *plan, const char *kind, const char *integrator, const char *scene, int side, long photons,
                     int k, int depth, const char *steps_text)
 {
-    size_t size = strlen(kind) + strlen(integrator) + strlen(scene) + strlen(steps_text) + 128;
-    char *line = must(malloc(size));
-    snprintf(line, size, "%s %s %s %d %d %ld %d %d %s %llu", kind, integrator, scene, side, side, photons, k, depth,
-             steps_text, (unsigned long long)next_seed(plan));
-    return plan_line(plan, line);
+    return plan_line(plan, "%s %s %s %d %d %ld %d %d %s %llu", kind, integrator, scene, side, side, photons, k, depth,
+                     steps_text, next_seed(plan));
 }
 
 double drawn_input(uint64_t seed, int use, double low, double high)

@@ -2,38 +2,23 @@
 #include "judge/grade/grade.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #define STEP_LEVEL 1e-3 // chance that a right step fails its statistical checks in the first round
-
-static uint64_t hash_text(uint64_t hash, const char *text)
-{
-    for (; *text; text++)
-        hash = hash_u64(hash ^ (uint64_t)(unsigned char)*text);
-    return hash_u64(hash);
-}
 
 // One round's random numbers belong to salt, step, check and round alone, so that a regrade gives the same verdict.
 static uint64_t seed_of(const GradeOptions *options, const char *id, const Check *check, int round)
 {
-    uint64_t hash = hash_text(0, options->salt);
-    hash = hash_text(hash, id);
-    hash = hash_text(hash, check->name);
+    uint64_t hash = hash_u64(hash_text(0, options->salt));
+    hash = hash_u64(hash_text(hash, id));
+    hash = hash_u64(hash_text(hash, check->name));
     return hash_u64(hash + (uint64_t)round);
 }
 
 // The cases of all checks that run together, and where each check's begin.
 typedef struct {
-    char **lines;
-    size_t count, first[MOST_CHECKS], of[MOST_CHECKS];
+    Plan plan;
+    size_t first[MOST_CHECKS], of[MOST_CHECKS];
 } Cases;
-
-static void cases_free(Cases *cases)
-{
-    for (size_t i = 0; i < cases->count; i++)
-        free(cases->lines[i]);
-    free(cases->lines);
-}
 
 // Does this check run now?
 static bool runs(const GradeOptions *options, const Check *check, bool scene)
@@ -43,20 +28,16 @@ static bool runs(const GradeOptions *options, const Check *check, bool scene)
 
 static void plan_checks(const GradeOptions *options, const StepChecks *checks, bool scene, int round, Cases *cases)
 {
-    *cases = (Cases){NULL, 0, {0}, {0}};
+    Plan *plan = &cases->plan;
+    *plan = (Plan){.step = checks->id};
     for (int i = 0; i < *checks->count; i++) {
         const Check *check = &checks->checks[i];
         if (!runs(options, check, scene))
             continue;
-        Plan plan = {.seed = seed_of(options, checks->id, check, round), .step = checks->id};
-        check->plan(&plan);
-        cases->lines = must(realloc(cases->lines, (cases->count + plan.count + 1) * sizeof *cases->lines));
-        if (plan.count > 0)
-            memcpy(cases->lines + cases->count, plan.lines, plan.count * sizeof *plan.lines);
-        free(plan.lines);
-        cases->first[i] = cases->count;
-        cases->of[i] = plan.count;
-        cases->count += plan.count;
+        plan->first = cases->first[i] = plan->count;
+        plan->seed = seed_of(options, checks->id, check, round);
+        check->plan(plan);
+        cases->of[i] = plan->count - plan->first;
     }
 }
 
@@ -99,12 +80,13 @@ Status run_checks(const GradeOptions *options, const StepChecks *checks, bool sc
 {
     Cases cases;
     plan_checks(options, checks, scene, round, &cases);
-    Numbers *numbers = calloc(cases.count + 1, sizeof *numbers);
+    Numbers *numbers = calloc(cases.plan.count + 1, sizeof *numbers);
     float *storage = NULL;
     long crashed = -1;
     Status status = STATUS_PASS;
-    if (cases.count > 0)
-        status = run_probe(options, result->step, scene, cases.lines, cases.count, numbers, &storage, &crashed, result);
+    if (cases.plan.count > 0)
+        status = run_probe(options, result->step, scene, cases.plan.lines, cases.plan.count, numbers, &storage,
+                           &crashed, result);
     for (int i = 0; i < *checks->count; i++) {
         if (!runs(options, &checks->checks[i], scene))
             continue;
@@ -127,6 +109,6 @@ Status run_checks(const GradeOptions *options, const StepChecks *checks, bool sc
         note_failing(result, scene, crashed);
     free(numbers);
     free(storage);
-    cases_free(&cases);
+    plan_free(&cases.plan);
     return status;
 }

@@ -6,7 +6,7 @@
 //   paths SCENE PHOTONS BATCHES DEPTH STEPS SEED             photon passes in BATCHES parts; see probe_paths.c
 //   picture INTEGRATOR SCENE WIDTH HEIGHT PHOTONS K DEPTH STEPS SEED    one picture, one eye ray a pixel
 //   passes COUNT pass|pixel INTEGRATOR …                    the same by passes, with a radius for each of them or for each pixel
-//   scatter SCENE PHOTONS ROOM DEPTH STEPS SEED              the photons of one pass, at most ROOM; see probe_scatter.h
+//   scatter SCENE PHOTONS ROOM DEPTH STEPS SEED              the photons of one pass, at most ROOM; see probe_sizes.h
 // SCENE is a path from --root, STEPS what `--steps` takes. The numbers are written as they come off this machine, case by case:
 //   "photonlab probe 1\n", then for every case two uint32 (its number from 0, how many floats) and the floats.
 #ifndef PHOTONLAB_CLI_PROBE_H

@@ -1,6 +1,6 @@
 // `paths`, `picture` and `passes` cases: a step at work in a scene, among the reference's others.
 #include "judge/probe/probe.h"
-#include "judge/probe/probe_batch.h"
+#include "judge/probe/probe_sizes.h"
 
 #include "photons/pass/photon_pass.h"
 #include "render/passes/passes.h"

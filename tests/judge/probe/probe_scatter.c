@@ -1,6 +1,6 @@
 // `scatter` cases: the photons of one pass, one by one.
 #include "judge/probe/probe.h"
-#include "judge/probe/probe_scatter.h"
+#include "judge/probe/probe_sizes.h"
 
 #include "photons/pass/photon_pass.h"
 

@@ -1,17 +1,43 @@
-// How many numbers each case gives: the probe keeps to it, and the judge accepts nothing else.
+// What each case gives, and how many numbers that is: the probe keeps to it, and the judge accepts nothing else.
 #ifndef PHOTONLAB_PROBE_SIZES_H
 #define PHOTONLAB_PROBE_SIZES_H
 
-#include "judge/probe/probe_batch.h"
-#include "judge/probe/probe_scatter.h"
-
+#include "photons/photon_numbers.h"
 #include "steps/steps.h"
 
 #include <stdio.h>
 
 #define PROBE_MAGIC "photonlab probe 1\n" // before all cases
 
-// What becomes of one value.
+// ---- `paths`: for each of its batches the books of one photon pass, number by number in this order (summed as doubles, written as
+// floats).
+#define BATCH_MATERIALS 6 // the scene's first ones, in the file's order
+#define BATCH_COLOURS   4 // PhotonColour
+#define BATCH_PATHS     3 // PhotonPath
+#define BATCH_BOUNCES   8
+
+// Sums over photons at rest.
+typedef struct {
+    double count, flux[3], place[3], from[3]; // flux in W, position in m, unit vector to where they came from
+} BatchSum;
+
+typedef struct {
+    double emitted[3], absorbed[3], escaped[3], cut[3], chance[3], chance_error[3]; // W; see Ledger
+    double segments, unsound;                                                       // see PhotonPass
+    double unusual; // photons at rest with a negative power, one that is no number, or of a material beyond those
+    BatchSum stored[BATCH_MATERIALS][BATCH_COLOURS];
+    BatchSum bounces[BATCH_BOUNCES]; // by surfaces met before; the last: as many or more
+    double paths[BATCH_PATHS];       // how many
+} Batch;
+
+#define BATCH_NUMBERS (sizeof(Batch) / sizeof(double))
+
+// ---- `scatter`: a head, then as many photons as were asked for, in the order of their paths; behind the last one all is 0.
+#define SCATTER_HEAD         (sizeof(PhotonNumbersHead) / sizeof(float))
+#define SCATTER_NUMBERS      (sizeof(PhotonNumbers) / sizeof(float))
+#define SCATTER_MOST_PHOTONS 1000000L
+
+// ---- `call`: what becomes of one value
 enum {
     NUMBERS_bool = 1,
     NUMBERS_int = 1,

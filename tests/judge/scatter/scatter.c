@@ -2,7 +2,7 @@
 #include "base/text.h"
 #include "judge/grade/probe_job.h"
 
-#include "judge/probe/probe_scatter.h"
+#include "judge/probe/probe_sizes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -63,9 +63,7 @@ typedef struct {
 static uint64_t seed_of(const GradeOptions *options, int stage, int round, bool reference)
 {
     uint64_t hash = hash_u64((uint64_t)(stage * 4 + round * 2 + reference));
-    for (const char *c = options->salt; *c; c++)
-        hash = hash_u64(hash ^ (uint64_t)(unsigned char)*c);
-    return hash_u64(hash ^ 0x73636174u);
+    return hash_u64(hash_text(hash, options->salt) ^ 0x73636174u);
 }
 
 // Whatever the steps do, the library stores photons like this. False: the numbers are none that the probe writes.
