@@ -4,6 +4,7 @@
 #include "judge/checks/pictures.h"
 #include "judge/grade/points.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,20 +16,9 @@
 #define USUAL_SECONDS 0.0012 // of the fixed task below, on the machine where the limits were chosen
 #define MOST_SLOWNESS 4.0
 
-static void make_absolute(const char **path, char *absolute_path, size_t size)
+static const char *absolute(const char *path, char whole[PATH_MAX])
 {
-    char absolute[4096];
-    if (realpath(*path, absolute)) {
-        snprintf(absolute_path, size, "%s", absolute);
-        *path = absolute_path;
-    }
-}
-
-static double processor_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+    return realpath(path, whole) ? whole : path;
 }
 
 // Time limits grow with the machine's slowness, not with its load: processor time, the fastest of five.
@@ -36,12 +26,12 @@ static double machine_speed(void)
 {
     double fastest = 1e9;
     for (int run = 0; run < 5; run++) {
-        double start = processor_seconds();
+        clock_t start = clock();
         Rng rng = rng_create(1, 1);
         volatile float sum = 0.0f;
         for (long i = 0; i < 200000; i++)
             sum = sum + rng_float(&rng);
-        fastest = fmin(fastest, processor_seconds() - start);
+        fastest = fmin(fastest, (double)(clock() - start) / CLOCKS_PER_SEC);
     }
     double factor = fastest / USUAL_SECONDS;
     return fmin(fmax(factor, 1.0), MOST_SLOWNESS);
@@ -128,6 +118,12 @@ static bool report(const Arguments *a, double seconds, const StepResult *results
     return !a->report || report_json_write(&head, results, count, stages, error);
 }
 
+static int fail(const Error *error, int code)
+{
+    fprintf(stderr, "judge: %s\n", error->message);
+    return code;
+}
+
 static int run(Arguments *a, const PointsTable *points, StepResult *results)
 {
     StageResult stages[STAGE_COUNT] = {{0}};
@@ -143,10 +139,8 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
     }
     if (a->scatters > 0)
         return stages_measure(a, results, count);
-    if (!report(a, 0.0, results, count, stages, &error)) { // zero points stand there until there is something better
-        fprintf(stderr, "judge: %s\n", error.message);
-        return EXIT_UNGRADED;
-    }
+    if (!report(a, 0.0, results, count, stages, &error)) // zero points stand there until there is something better
+        return fail(&error, EXIT_UNGRADED);
     a->jobs =
         parallel_threads(a->jobs) < count ? parallel_threads(a->jobs) : count; // idle ones would wait at full speed
 #pragma omp parallel for schedule(dynamic, 1) num_threads(a->jobs)
@@ -170,10 +164,9 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
         print_results(results, count, stages, a->verbose);
     if (a->verbose && !a->features)
         print_cost(clock_seconds() - start);
-    bool ok = report(a, clock_seconds() - start, results, count, stages, &error);
-    if (!ok)
-        fprintf(stderr, "judge: %s\n", error.message);
     int code = exit_code(a, results, count, stages);
+    if (!report(a, clock_seconds() - start, results, count, stages, &error))
+        code = fail(&error, EXIT_UNGRADED);
     for (int i = 0; i < count; i++)
         if (results[i].status == STATUS_SKIP)
             fprintf(stderr, "judge: step %s: %s\n", results[i].step->id, results[i].words.message);
@@ -181,40 +174,34 @@ static int run(Arguments *a, const PointsTable *points, StepResult *results)
         stage_result_free(&stages[i]);
     for (int i = 0; i < count; i++)
         step_result_free(&results[i]);
-    return ok ? code : EXIT_UNGRADED;
+    return code;
 }
 
 const char *judge_root = ".";
 
 int main(int count, char **arguments)
 {
-    static char root[4096], build[4096], work[4096];
+    static char root[PATH_MAX], build[PATH_MAX], work[PATH_MAX];
     Arguments a;
     int wrong = arguments_parse(count, arguments, &a);
     if (wrong)
         return wrong == HELP_SHOWN ? 0 : wrong;
     mkdir(a.grade.work, 0755);
-    make_absolute(&a.grade.root, root, sizeof root);
-    make_absolute(&a.grade.build, build, sizeof build);
-    make_absolute(&a.grade.work, work, sizeof work);
+    a.grade.root = absolute(a.grade.root, root);
+    a.grade.build = absolute(a.grade.build, build);
+    a.grade.work = absolute(a.grade.work, work);
     judge_root = a.grade.root;
     if (!choose_sandbox(&a))
         return EXIT_UNGRADED;
     a.grade.speed = machine_speed();
     PointsTable points;
     Error error = {""};
-    if (!submission_look_over(a.grade.code, &error)) {
-        fprintf(stderr, "judge: %s\n", error.message);
-        return EXIT_USAGE;
-    }
-    if (!references_are_there(&error)) {
-        fprintf(stderr, "judge: %s\n", error.message);
-        return EXIT_UNGRADED;
-    }
-    if (!points_read(a.points, &points, &error)) {
-        fprintf(stderr, "judge: %s\n", error.message);
-        return EXIT_USAGE;
-    }
+    if (!submission_look_over(a.grade.code, &error))
+        return fail(&error, EXIT_USAGE);
+    if (!references_are_there(&error))
+        return fail(&error, EXIT_UNGRADED);
+    if (!points_read(a.points, &points, &error))
+        return fail(&error, EXIT_USAGE);
     StepResult *results = calloc(STEP_COUNT, sizeof *results);
     int code = results ? run(&a, &points, results) : EXIT_UNGRADED;
     free(results);

@@ -7,11 +7,10 @@
 
 static const char *write_image(Report *report, const Image *image, const char *id, const char *whose)
 {
-    char path[4200], *name = report_keep(report, 128);
+    char path[MOST_PATH], *name = report_keep(report, 128);
     Error ignored = {""};
     snprintf(name, 128, "pictures/%s_%s.pfm", id, whose);
-    snprintf(path, sizeof path, "%s/%s", report->directory, name);
-    return image_write_pfm(image, path, &ignored) ? name : NULL;
+    return image_write_pfm(image, report_path(report, name, path), &ignored) ? name : NULL;
 }
 
 // A picture with values that are no numbers cannot be written; its message says so already.
@@ -95,9 +94,8 @@ static bool make_directory(const char *path, Error *error)
 
 bool report_json_write(Report *report, const StepResult *results, int count, const StageResult *stages, Error *error)
 {
-    char path[4200];
-    snprintf(path, sizeof path, "%s/pictures", report->directory);
-    if (!make_directory(report->directory, error) || !make_directory(path, error))
+    char path[MOST_PATH];
+    if (!make_directory(report->directory, error) || !make_directory(report_path(report, "pictures", path), error))
         return false;
     ReportStep *list = report_keep(report, STEP_COUNT * sizeof *list);
     ReportScatter *scatters = report_keep(report, STAGE_COUNT * sizeof *scatters);

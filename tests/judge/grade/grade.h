@@ -41,8 +41,8 @@ Status run_checks(const GradeOptions *options, const StepChecks *checks, bool sc
 
 // Runs the cases in the sandbox. `numbers` gets one entry a case (those never reached: NULL); *storage owns them.
 // STATUS_PASS when all went through.
-Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, char *const *lines, size_t count,
-                 Numbers *numbers, float **storage, long *crashed_case, StepResult *result);
+Status run_probe(const GradeOptions *options, bool scene, const Plan *plan, Numbers *numbers, float **storage,
+                 long *crashed_case, StepResult *result);
 
 // Where the step printed and failed: keeps of what it printed what it prints in the case that failed, run again alone.
 void show_printed(const GradeOptions *options, StepResult *result);

@@ -85,8 +85,7 @@ Status run_checks(const GradeOptions *options, const StepChecks *checks, bool sc
     long crashed = -1;
     Status status = STATUS_PASS;
     if (cases.plan.count > 0)
-        status = run_probe(options, result->step, scene, cases.plan.lines, cases.plan.count, numbers, &storage,
-                           &crashed, result);
+        status = run_probe(options, scene, &cases.plan, numbers, &storage, &crashed, result);
     for (int i = 0; i < *checks->count; i++) {
         if (!runs(options, &checks->checks[i], scene))
             continue;

@@ -39,12 +39,12 @@ static ProbeJob make_job(const GradeOptions *options, const StepInfo *step, bool
     return job;
 }
 
-Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, char *const *lines, size_t count,
-                 Numbers *numbers, float **storage, long *crashed_case, StepResult *result)
+Status run_probe(const GradeOptions *options, bool scene, const Plan *plan, Numbers *numbers, float **storage,
+                 long *crashed_case, StepResult *result)
 {
-    ProbeJob job = make_job(options, step, scene, scene ? "scenes.txt" : "calls.txt");
+    ProbeJob job = make_job(options, result->step, scene, scene ? "scenes.txt" : "calls.txt");
     ProbeRun ran;
-    Status status = probe_job_run(options, &job, lines, count, numbers, &ran);
+    Status status = probe_job_run(options, &job, plan->lines, plan->count, numbers, &ran);
     *storage = ran.storage;
     if (*ran.message)
         words_say(&result->words, status, "%s", ran.message);
@@ -54,7 +54,7 @@ Status run_probe(const GradeOptions *options, const StepInfo *step, bool scene, 
                      sizeof result->words.output - result->words.compiled);
     }
     if (status == STATUS_ERROR && !ran.forged)
-        crash_describe(options, &ran.sandbox, step, &result->words);
+        crash_describe(options, &ran.sandbox, result->step, &result->words);
     return status;
 }
 

@@ -59,19 +59,11 @@ void html_histogram(const ReportHistogram *histogram, FILE *stream)
     fputs("</figure>\n", stream);
 }
 
-#define MOST_PATH 8200
-
-static char *path_below(const Report *report, const char *name, char path[MOST_PATH])
-{
-    snprintf(path, MOST_PATH, "%s/%s", report->directory, name);
-    return path;
-}
-
 // An image's PNG, by way of a file of the report's own: the library writes no other. The caller frees it.
 static char *png_of(const Report *report, const Image *image, size_t *size, Error *error)
 {
     char path[MOST_PATH], *bytes = NULL;
-    int file = mkstemp(path_below(report, ".picture-XXXXXX", path));
+    int file = mkstemp(report_path(report, ".picture-XXXXXX", path));
     if (file >= 0) {
         close(file);
         if (image_write_png(image, path, 8, error))
@@ -103,7 +95,7 @@ void html_png(const Report *report, const char *name, const char *alt, FILE *str
     static const char magic[8] = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
     size_t size = 0;
     Error error = {""};
-    char path[MOST_PATH], *png = file_read(path_below(report, name, path), (size_t)1 << 25, &size, &error);
+    char path[MOST_PATH], *png = file_read(report_path(report, name, path), (size_t)1 << 25, &size, &error);
     bool good = png && size > sizeof magic && memcmp(png, magic, sizeof magic) == 0;
     if (good) {
         fputs("<img src=\"data:image/png;base64,", stream);
@@ -179,8 +171,8 @@ void html_pictures(const Report *report, const ReportPicture *picture, FILE *str
     Error error = {""};
     Image yours = {0, 0, NULL}, reference = {0, 0, NULL};
     char path[MOST_PATH];
-    bool good = image_read(&yours, path_below(report, picture->yours, path), &error) &&
-                image_read(&reference, path_below(report, picture->reference, path), &error) &&
+    bool good = image_read(&yours, report_path(report, picture->yours, path), &error) &&
+                image_read(&reference, report_path(report, picture->reference, path), &error) &&
                 show(report, &yours, &reference, stream, &error);
     if (!good)
         text_put(stream, "<p class=\"note\">The pictures are left out: %s</p>\n", error.message);

@@ -103,7 +103,7 @@ void html_scatter(const Report *report, const ReportScatter *scatter, FILE *stre
 // The picture of the mistake in the notes' gallery, where it has one.
 static void write_tile(const Report *report, const ReportStep *step, FILE *stream)
 {
-    char path[4200], anchor[100], wanted[120];
+    char path[MOST_PATH], anchor[100], wanted[120];
     size_t size;
     Error none = {""};
     if (!report->notes || !*step->mistake)

@@ -3,7 +3,6 @@
 #include "report.h"
 
 #include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -26,24 +25,13 @@ static const struct {
              {"gradescope", "gradescope/results.json", report_gradescope},
              {"prairielearn", "prairielearn/results.json", report_prairielearn}};
 
-// directory/name in memory of the report's.
-static const char *path_in(Report *report, const char *name)
+static bool write_one(const Report *report, size_t i, Error *error)
 {
-    size_t size = strlen(report->directory) + strlen(name) + 2;
-    char *path = report_keep(report, size);
-    snprintf(path, size, "%s/%s", report->directory, name);
-    return path;
-}
-
-static bool write_one(Report *report, size_t i, Error *error)
-{
-    if (files[i].folder) {
-        const char *folder = path_in(report, files[i].folder);
-        if (mkdir(folder, 0777) != 0 && errno != EEXIST)
-            return error_set(error, "%s: cannot be made: %s", folder, strerror(errno));
-    }
+    char path[MOST_PATH];
+    if (files[i].folder && mkdir(report_path(report, files[i].folder, path), 0777) != 0 && errno != EEXIST)
+        return error_set(error, "%s: cannot be made: %s", path, strerror(errno));
     FileWriter writer;
-    if (!file_write_begin(&writer, path_in(report, files[i].name), error))
+    if (!file_write_begin(&writer, report_path(report, files[i].name, path), error))
         return false;
     bool good = files[i].write(report, writer.stream, error);
     return file_write_end(&writer, good, error) && good;

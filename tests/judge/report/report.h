@@ -94,6 +94,10 @@ typedef struct {
 ReportSums report_sums(const Report *report, bool teacher, int stage);
 bool report_shows(const Report *report, const ReportStep *step);
 
+// directory/name; returns `path`.
+#define MOST_PATH 8200
+char *report_path(const Report *report, const char *name, char path[MOST_PATH]);
+
 const ReportScatter *report_scatter(const Report *report, int stage); // NULL: there is none
 // The scatter as a step worth nothing, "scatter of stage 2". `title` is a part of it.
 ReportStep report_scatter_step(const ReportScatter *scatter, char title[32]);

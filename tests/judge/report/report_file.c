@@ -183,14 +183,6 @@ void report_free(Report *report)
     report->kept = NULL;
 }
 
-static const char *path_of(Report *report)
-{
-    size_t size = strlen(report->directory) + sizeof "/report.json";
-    char *path = report_keep(report, size);
-    snprintf(path, size, "%s/report.json", report->directory);
-    return path;
-}
-
 bool report_write(Report *report, Error *error)
 {
     report->format = FORMAT;
@@ -202,7 +194,8 @@ bool report_write(Report *report, Error *error)
     json_t *whole = fields_write(&report_shape, report);
     char *bytes = json_dumps(whole, JSON_INDENT(1) | JSON_REAL_PRECISION(9));
     FileWriter writer;
-    const char *path = path_of(report);
+    char path[MOST_PATH];
+    report_path(report, "report.json", path);
     bool ok = bytes ? file_write_begin(&writer, path, error) : error_set(error, "%s: cannot be put together", path);
     if (ok) {
         fprintf(writer.stream, "%s\n", bytes);
@@ -217,8 +210,8 @@ bool report_read(Report *report, const char *directory, Error *error)
 {
     *report = (Report){.directory = directory};
     size_t size;
-    const char *path = path_of(report);
-    char *bytes = file_read(path, MOST_BYTES, &size, error);
+    char path[MOST_PATH];
+    char *bytes = file_read(report_path(report, "report.json", path), MOST_BYTES, &size, error);
     if (!bytes)
         return false;
     json_error_t wrong;

@@ -6,6 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+char *report_path(const Report *report, const char *name, char path[MOST_PATH])
+{
+    snprintf(path, MOST_PATH, "%s/%s", report->directory, name);
+    return path;
+}
+
 const ReportScatter *report_scatter(const Report *report, int stage)
 {
     for (size_t i = 0; i < report->scatter_count; i++)

@@ -126,29 +126,21 @@ static bool run(const Stage *s, bool reference, uint64_t seed, ScatterPhotons *p
     return false;
 }
 
-static void read_names(const Stage *s, ScatterNames *names)
-{
-    char path[4200];
-    Error error = {""};
-    snprintf(path, sizeof path, "%s/%s", s->options->root, s->stage->scene);
-    Scene *scene = scene_load(path, &error);
-    for (size_t i = 0; i < SCATTER_MOST_MATERIALS; i++)
-        snprintf(names->of[i], 64, "%s", scene && i < scene->material_count ? scene->materials[i].name : "?");
-    scene_free(scene);
-}
-
 // One round: both runs and what their numbers say. The photons are kept in the result.
 static void play_round(const Stage *s, int round, StageResult *result)
 {
-    ScatterNames names;
     ScatterFinding finding;
+    char path[4200];
+    Error ignored = {""};
     if (!run(s, false, seed_of(s->options, result->stage, round, false), &result->yours, result) ||
         !run(s, true, seed_of(s->options, result->stage, round, true), &result->reference, result)) {
         stage_result_free(result);
         return;
     }
-    read_names(s, &names);
-    scatter_compare(&result->yours, &result->reference, &names, &finding);
+    snprintf(path, sizeof path, "%s/%s", s->options->root, s->stage->scene);
+    Scene *scene = scene_load(path, &ignored);
+    scatter_compare(&result->yours, &result->reference, scene, &finding);
+    scene_free(scene);
     result->p = finding.certain ? 0.0 : finding.p;
     result->tests = finding.tests;
     result->threshold = LEVEL / fmax(1.0, (double)finding.tests);

@@ -52,18 +52,14 @@ extern const ScatterStage scatter_stages[STAGE_COUNT];
 #define SCATTER_MOST_MATERIALS 12
 
 typedef struct {
-    char of[SCATTER_MOST_MATERIALS][64];
-} ScatterNames;
-
-typedef struct {
     bool certain; // right code never does this, whatever its random numbers
     double p, z;  // the smallest p-value, and how many standard errors that is
     int tests;
     char message[600];
 } ScatterFinding;
 
-// `names`: of the scene's materials.
-void scatter_compare(const ScatterPhotons *yours, const ScatterPhotons *reference, const ScatterNames *names,
+// `scene`: for its materials' names.
+void scatter_compare(const ScatterPhotons *yours, const ScatterPhotons *reference, const Scene *scene,
                      ScatterFinding *finding);
 
 // ---- scatter_words.c
@@ -76,6 +72,6 @@ typedef enum { SCATTER_HITS, SCATTER_COUNT, SCATTER_FLUX, SCATTER_PLACE, SCATTER
 
 // What was found in this cell, in a sentence without its full stop. `axis`: of the channel or coordinate.
 void scatter_describe(const ScatterCell *cell, ScatterStat stat, int axis, double yours, double reference, double z,
-                      const ScatterNames *names, char *text, size_t size);
+                      const Scene *scene, char *text, size_t size);
 
 #endif

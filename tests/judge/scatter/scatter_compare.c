@@ -11,7 +11,7 @@
 
 typedef struct {
     ScatterFinding *finding;
-    const ScatterNames *names;
+    const Scene *scene;
 } Judge;
 
 static void found(Judge *judge, int cell, ScatterStat stat, int axis, double yours, double reference, double z,
@@ -24,7 +24,7 @@ static void found(Judge *judge, int cell, ScatterStat stat, int axis, double you
     finding->p = p;
     finding->z = fabs(z);
     ScatterCell described = cell_describe(cell);
-    scatter_describe(&described, stat, axis, yours, reference, fabs(z), judge->names, finding->message,
+    scatter_describe(&described, stat, axis, yours, reference, fabs(z), judge->scene, finding->message,
                      sizeof finding->message);
 }
 
@@ -120,13 +120,13 @@ static bool find_certain(const ScatterPhotons *yours, const ScatterPhotons *refe
     return finding->certain;
 }
 
-void scatter_compare(const ScatterPhotons *yours, const ScatterPhotons *reference, const ScatterNames *names,
+void scatter_compare(const ScatterPhotons *yours, const ScatterPhotons *reference, const Scene *scene,
                      ScatterFinding *finding)
 {
     *finding = (ScatterFinding){.p = 1.0};
     if (find_certain(yours, reference, finding))
         return;
-    Judge judge = {finding, names};
+    Judge judge = {finding, scene};
     Tally *tallies[2] = {must(calloc(1, sizeof **tallies)), must(calloc(1, sizeof **tallies))};
     cells_fill((const ScatterPhotons *const[]){yours, reference}, tallies);
     for (int c = 0; c < CELLS; c++)

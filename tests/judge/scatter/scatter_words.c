@@ -30,10 +30,12 @@ static void put_photons(const ScatterCell *cell, char *text, size_t size)
 }
 
 void scatter_describe(const ScatterCell *cell, ScatterStat stat, int axis, double yours, double reference, double z,
-                      const ScatterNames *names, char *text, size_t size)
+                      const Scene *scene, char *text, size_t size)
 {
     static const char *const channels[] = {"red", "green", "blue"};
-    const char *where = cell->material >= 0 ? names->of[cell->material] : "scene";
+    const char *where = "scene";
+    if (cell->material >= 0)
+        where = scene && (size_t)cell->material < scene->material_count ? scene->materials[cell->material].name : "?";
     char photons[160], ratio[60];
     put_photons(cell, photons, sizeof photons);
     switch (stat) {
