@@ -48,18 +48,18 @@ Scene *probe_scene(const char *path, Error *error)
 
 static bool run_case(const StepInfo *step, char *text, ProbeOutput *output, Error *error)
 {
-    ProbeLine line = {text, false};
+    static const struct {
+        const char *kind;
+        bool (*run)(ProbeLine *line, ProbeOutput *output);
+    } kinds[] = {
+        {"paths", probe_paths}, {"picture", probe_picture}, {"passes", probe_passes}, {"scatter", probe_scatter}};
+    ProbeLine line = {text, false, error};
     const char *kind = probe_word(&line);
     if (strcmp(kind, "call") == 0 && step)
-        return probe_call(step, &line, output, error);
-    if (strcmp(kind, "paths") == 0)
-        return probe_paths(&line, output, error);
-    if (strcmp(kind, "picture") == 0)
-        return probe_picture(&line, output, error);
-    if (strcmp(kind, "passes") == 0)
-        return probe_passes(&line, output, error);
-    if (strcmp(kind, "scatter") == 0)
-        return probe_scatter(&line, output, error);
+        return probe_call(step, &line, output);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (strcmp(kind, kinds[i].kind) == 0)
+            return kinds[i].run(&line, output);
     return error_set(error, "no kind of case `%s`; expected %spaths, picture, passes or scatter", kind,
                      step ? "call, " : "");
 }

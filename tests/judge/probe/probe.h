@@ -32,6 +32,7 @@ void probe_put_colour(ProbeOutput *output, Colour c);
 typedef struct {
     char *rest;
     bool broken;
+    Error *error; // what is wrong otherwise
 } ProbeLine;
 
 const char *probe_word(ProbeLine *line);
@@ -44,11 +45,11 @@ bool probe_at_end(ProbeLine *line);
 Scene *probe_scene(const char *path, Error *error); // from --root
 
 // The kinds of case. False, with a reason, when a line is broken or a scene cannot be had.
-bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output, Error *error);
-bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error);
-bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error);
-bool probe_passes(ProbeLine *line, ProbeOutput *output, Error *error);
-bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error);
+bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output);
+bool probe_paths(ProbeLine *line, ProbeOutput *output);
+bool probe_picture(ProbeLine *line, ProbeOutput *output);
+bool probe_passes(ProbeLine *line, ProbeOutput *output);
+bool probe_scatter(ProbeLine *line, ProbeOutput *output);
 
 // A step whose result is another when it is called again has random numbers of its own, or reads a variable that it never set.
 #define PROBE_NOT_AGAIN                                                                                                \

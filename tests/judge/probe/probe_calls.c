@@ -111,7 +111,7 @@ typedef union {
 #include "steps/steps.def"
 } Parameters;
 
-static bool read_call(const StepInfo *step, ProbeLine *line, Given *given, Parameters *parameters, Error *error)
+static bool read_call(const StepInfo *step, ProbeLine *line, Given *given, Parameters *parameters)
 {
     bool ok = false;
 #define VALUE(type, name)   p->name = READ_##type(line);
@@ -125,12 +125,12 @@ static bool read_call(const StepInfo *step, ProbeLine *line, Given *given, Param
 #define DRAWS
 #define SCENE_STEP(stage, number, symbol, ...)                                                                         \
     case STEP_##symbol:                                                                                                \
-        return error_set(error, "step %s is not called alone; use paths or picture", step->id);
+        return error_set(line->error, "step %s is not called alone; use paths or picture", step->id);
 #define STEP(stage, number, symbol, title, anchor, pass, needs, reader, result, ...)                                   \
     case STEP_##symbol: {                                                                                              \
         struct symbol##_parameters *p = &parameters->symbol;                                                           \
         p->none = 0;                                                                                                   \
-        ok = read_##reader(line, given, error);                                                                        \
+        ok = read_##reader(line, given);                                                                               \
         __VA_ARGS__                                                                                                    \
         break;                                                                                                         \
     }
@@ -138,13 +138,13 @@ static bool read_call(const StepInfo *step, ProbeLine *line, Given *given, Param
 #include "steps/steps.def"
     }
     if (ok && (line->broken || !probe_at_end(line)))
-        ok = error_set(error, "the arguments do not fit step %s", step->id);
+        ok = error_set(line->error, "the arguments do not fit step %s", step->id);
     return ok;
 }
 
 // Calls the step with what was read and writes its result; what it changed or filled is in `parameters`.
-static void call_step(const StepInfo *step, const Given *given, const Parameters *read, Parameters *parameters,
-                      Rng *rng, ProbeOutput *output)
+static void call_step(const StepInfo *step, Given *given, const Parameters *read, Parameters *parameters, Rng *rng,
+                      ProbeOutput *output)
 {
 #define VALUE(type, name)               , p->name
 #define CHANGED(type, name)             , p->name
@@ -207,23 +207,23 @@ static void call_once(const StepInfo *step, Given *given, const Parameters *read
     put_parameters(step, &fresh, &taken, output);
 }
 
-bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output, Error *error)
+bool probe_call(const StepInfo *step, ProbeLine *line, ProbeOutput *output)
 {
     static Given given; // large, and one case runs at a time
     memset(&given, 0, sizeof given);
     static Parameters parameters;
     long count = probe_whole(line, 1, MOST_CALLS);
     uint64_t seed = probe_seed(line);
-    bool ok = read_call(step, line, &given, &parameters, error);
+    bool ok = read_call(step, line, &given, &parameters);
     Rng rng = rng_create(seed, 0), same = rng;
     ProbeOutput trial = {0};
-    Gather kept = given.gather_read; // what one call spoils is to show in the next that counts
-    if (ok && count > 1)             // those that draw are called often
+    Gather kept = *given.gather; // what one call spoils is to show in the next that counts
+    if (ok && count > 1)         // those that draw are called often
         call_once(step, &given, &parameters, &same, &trial);
-    given.gather_read = kept;
+    *given.gather = kept;
     for (long i = 0; ok && i < count; i++) {
         call_once(step, &given, &parameters, &rng, output);
-        ok = i > 0 || count == 1 || probe_same_again(&trial, output, error);
+        ok = i > 0 || count == 1 || probe_same_again(&trial, output, line->error);
     }
     free(trial.values);
     given_free(&given);

@@ -23,16 +23,16 @@ struct GivenEstimates {
 };
 
 // A line begins with SCENE and the irradiance that all its surfaces receive.
-static bool read_scene(ProbeLine *line, Given *given, Error *error)
+static bool read_scene(ProbeLine *line, Given *given)
 {
     struct GatherScene *s = calloc(1, sizeof *s);
     if (!s)
-        return error_set(error, "not enough memory");
+        return error_set(line->error, "not enough memory");
     given->scene = s;
-    s->scene = probe_scene(probe_word(line), error);
+    s->scene = probe_scene(probe_word(line), line->error);
     s->final.ends = irradiance_map_uniform(probe_colour(line));
     if (!s->scene || !s->final.ends)
-        return s->scene ? error_set(error, "not enough memory") : false;
+        return s->scene ? error_set(line->error, "not enough memory") : false;
     s->options.settings = s->scene->settings;
     s->options.settings.depth = DEPTH;
     s->eye = (Eye){.scene = s->scene, .options = &s->options, .final = &s->final};
@@ -41,9 +41,9 @@ static bool read_scene(ProbeLine *line, Given *given, Error *error)
 }
 
 // Scene, irradiance, and a ray: origin, direction.
-bool read_ray_in_scene(ProbeLine *line, Given *given, Error *error)
+bool read_ray_in_scene(ProbeLine *line, Given *given)
 {
-    bool ok = read_scene(line, given, error);
+    bool ok = read_scene(line, given);
     given->ray.origin = probe_vec3(line);
     given->ray.direction = probe_vec3(line);
     given->ray.from = NO_PRIMITIVE;
@@ -51,35 +51,31 @@ bool read_ray_in_scene(ProbeLine *line, Given *given, Error *error)
 }
 
 // Scene, irradiance, and a ray whose end is the hit.
-bool read_hit_in_scene(ProbeLine *line, Given *given, Error *error)
+bool read_hit_in_scene(ProbeLine *line, Given *given)
 {
-    if (!read_ray_in_scene(line, given, error))
+    if (!read_ray_in_scene(line, given))
         return false;
-    given->hit = &given->hit_read;
-    return line->broken || scene_intersect(given->scene->scene, &given->ray, &given->hit_read) ||
-           error_set(error, "the ray to the hit meets nothing");
+    return line->broken || scene_intersect(given->scene->scene, &given->ray, given->hit) ||
+           error_set(line->error, "the ray to the hit meets nothing");
 }
 
 // Distances, cell by cell, ring after ring. Radiances are NaN, since the step must not use them.
-bool read_distances(ProbeLine *line, Given *given, Error *error)
+bool read_distances(ProbeLine *line, Given *given)
 {
-    (void)error;
-    Hemisphere *seen = &given->seen_read;
     for (int j = 0; j < GATHER_RINGS; j++)
         for (int k = 0; k < GATHER_SECTORS; k++) {
-            seen->radiance[j][k] = colour_grey(NAN);
-            seen->distance[j][k] = (float)probe_number(line);
+            given->seen->radiance[j][k] = colour_grey(NAN);
+            given->seen->distance[j][k] = (float)probe_number(line);
         }
-    given->seen = seen;
     return true;
 }
 
 // Their number; of each: position, normal, irradiance, reach, translation and rotation of the three channels.
-bool read_estimates(ProbeLine *line, Given *given, Error *error)
+bool read_estimates(ProbeLine *line, Given *given)
 {
     struct GivenEstimates *all = given->estimates = calloc(1, sizeof *all);
     if (!all)
-        return error_set(error, "not enough memory");
+        return error_set(line->error, "not enough memory");
     given->count = (size_t)probe_whole(line, 0, MOST_ESTIMATES);
     if (line->broken)
         return true; // the caller tells of a broken line

@@ -6,32 +6,26 @@
 
 // What a reader provides, called as the rows of steps.def call it, and what that is made of.
 typedef struct {
-    const Light *light;
-    const Material *glass;
-    const Photon *photon;
+    Light light[1];
+    Material glass[1]; // or of the surface that is hit
+    Photon photon[1];
     PhotonMap *map;
-    const Hit *hit;
+    Hit hit[1];
     Vec3 wo;
-    Gather *gather;
+    Gather gather[1];
     GatherTrace *trace;
     Ray ray;
-    const Hemisphere *seen;
+    Hemisphere seen[1];
     const IrradianceEstimate *const *near;
     size_t count;
 
-    Light light_read;
-    Material material_read;
-    SellmeierGlass formula_read;
-    Photon photon_read;
-    Hit hit_read;
-    Gather gather_read;
+    SellmeierGlass formula;
     LobeTable lobe;
     struct GatherScene *scene;
-    Hemisphere seen_read;
     struct GivenEstimates *estimates;
 } Given;
 
-typedef bool Reader(ProbeLine *line, Given *given, Error *error);
+typedef bool Reader(ProbeLine *line, Given *given);
 Reader read_arguments; // nothing
 Reader read_glass;
 Reader read_glass_formula;

@@ -20,14 +20,14 @@ typedef struct {
     bool by_pixel;
 } SceneCase;
 
-static bool read_common(ProbeLine *line, SceneCase *c, Error *error)
+static bool read_common(ProbeLine *line, SceneCase *c)
 {
     c->depth = probe_whole(line, 1, 1000);
     const char *steps_text = probe_word(line);
     c->seed = probe_seed(line);
     if (line->broken || !probe_at_end(line))
-        return error_set(error, "expected SCENE, numbers, STEPS and SEED");
-    return step_choice_parse(steps_text, &c->play, error);
+        return error_set(line->error, "expected SCENE, numbers, STEPS and SEED");
+    return step_choice_parse(steps_text, &c->play, line->error);
 }
 
 static void add_vec3(double sum[3], Vec3 v)
@@ -121,16 +121,16 @@ static bool run_batches(const SceneCase *c, ProbeOutput *output, Error *error)
     return ok;
 }
 
-bool probe_paths(ProbeLine *line, ProbeOutput *output, Error *error)
+bool probe_paths(ProbeLine *line, ProbeOutput *output)
 {
     SceneCase c = {0};
     const char *path = probe_word(line);
     c.photons = probe_whole(line, 1, 10000000);
     c.batches = probe_whole(line, 1, 10000);
-    if (!read_common(line, &c, error) || !(c.scene = probe_scene(path, error)))
+    if (!read_common(line, &c) || !(c.scene = probe_scene(path, line->error)))
         return false;
     steps_play(c.play);
-    bool ok = run_batches(&c, output, error);
+    bool ok = run_batches(&c, output, line->error);
     scene_free(c.scene);
     return ok;
 }
@@ -144,17 +144,17 @@ static bool draw_by_passes(const SceneCase *c, const RenderOptions *options, Ima
     return ok;
 }
 
-static bool draw(SceneCase *c, ProbeLine *line, ProbeOutput *output, Error *error)
+static bool draw(SceneCase *c, ProbeLine *line, ProbeOutput *output)
 {
     Integrator integrator;
     if (!integrator_parse(probe_word(line), &integrator))
-        return error_set(error, "expected an integrator");
+        return error_set(line->error, "expected an integrator");
     const char *path = probe_word(line);
     c->width = probe_whole(line, 1, 1024);
     c->height = probe_whole(line, 1, 1024);
     c->photons = probe_whole(line, 1, 10000000);
     c->k = probe_whole(line, 1, 10000);
-    if (!read_common(line, c, error) || !(c->scene = probe_scene(path, error)))
+    if (!read_common(line, c) || !(c->scene = probe_scene(path, line->error)))
         return false;
     RenderOptions options = {.integrator = integrator,
                              .settings = c->scene->settings,
@@ -170,8 +170,8 @@ static bool draw(SceneCase *c, ProbeLine *line, ProbeOutput *output, Error *erro
     options.settings.depth = (int)c->depth;
     Image image = {0, 0, NULL};
     RenderStats stats;
-    bool ok = c->passes > 0 ? draw_by_passes(c, &options, &image, &stats, error)
-                            : render_image(c->scene, &options, &image, &stats, error);
+    bool ok = c->passes > 0 ? draw_by_passes(c, &options, &image, &stats, line->error)
+                            : render_image(c->scene, &options, &image, &stats, line->error);
     for (long i = 0; ok && i < c->width * c->height; i++)
         probe_put_colour(output, image.pixels[i]);
     image_free(&image);
@@ -179,17 +179,17 @@ static bool draw(SceneCase *c, ProbeLine *line, ProbeOutput *output, Error *erro
     return ok;
 }
 
-bool probe_picture(ProbeLine *line, ProbeOutput *output, Error *error)
+bool probe_picture(ProbeLine *line, ProbeOutput *output)
 {
-    return draw(&(SceneCase){0}, line, output, error);
+    return draw(&(SceneCase){0}, line, output);
 }
 
-bool probe_passes(ProbeLine *line, ProbeOutput *output, Error *error)
+bool probe_passes(ProbeLine *line, ProbeOutput *output)
 {
     SceneCase c = {.passes = probe_whole(line, 1, 1000)};
     const char *radii = probe_word(line);
     c.by_pixel = strcmp(radii, "pixel") == 0;
     if (!c.by_pixel && strcmp(radii, "pass") != 0)
-        return error_set(error, "expected `pass` or `pixel` behind the number of passes");
-    return draw(&c, line, output, error);
+        return error_set(line->error, "expected `pass` or `pixel` behind the number of passes");
+    return draw(&c, line, output);
 }

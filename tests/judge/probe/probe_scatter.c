@@ -56,7 +56,7 @@ static bool run_pass(const Scene *scene, PhotonPassOptions *options, long most, 
     return true;
 }
 
-bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error)
+bool probe_scatter(ProbeLine *line, ProbeOutput *output)
 {
     const char *path = probe_word(line);
     PhotonPassOptions options = {.threads = 1, .keep = KEEP_ALL};
@@ -66,12 +66,12 @@ bool probe_scatter(ProbeLine *line, ProbeOutput *output, Error *error)
     const char *steps_text = probe_word(line);
     options.seed = probe_seed(line);
     if (line->broken || !probe_at_end(line))
-        return error_set(error, "expected SCENE PHOTONS ROOM DEPTH STEPS SEED");
-    Scene *scene = step_choice_parse(steps_text, &options.play, error) ? probe_scene(path, error) : NULL;
+        return error_set(line->error, "expected SCENE PHOTONS ROOM DEPTH STEPS SEED");
+    Scene *scene = step_choice_parse(steps_text, &options.play, line->error) ? probe_scene(path, line->error) : NULL;
     if (!scene)
         return false;
     steps_play(options.play);
-    bool ok = run_pass(scene, &options, most, output, error);
+    bool ok = run_pass(scene, &options, most, output, line->error);
     scene_free(scene);
     return ok;
 }
