@@ -51,16 +51,9 @@ extern const ScatterStage scatter_stages[STAGE_COUNT];
 
 #define SCATTER_MOST_MATERIALS 12
 
-typedef struct {
-    bool certain; // right code never does this, whatever its random numbers
-    double p, z;  // the smallest p-value, and how many standard errors that is
-    int tests;
-    char message[600];
-} ScatterFinding;
-
-// `scene`: for its materials' names.
-void scatter_compare(const ScatterPhotons *yours, const ScatterPhotons *reference, const Scene *scene,
-                     ScatterFinding *finding);
+// What the photons in the result say: p, 0 for what right code never does, whatever its random numbers; how many tests there were;
+// the message of the smallest p. `scene`: for its materials' names.
+void scatter_compare(StageResult *result, const Scene *scene);
 
 // ---- scatter_words.c
 

@@ -10,22 +10,21 @@
 #define FEWEST_HITS 20 // paths that reached a cell; with fewer, sums are not nearly normal
 
 typedef struct {
-    ScatterFinding *finding;
+    StageResult *result;
     const Scene *scene;
 } Judge;
 
 static void found(Judge *judge, int cell, ScatterStat stat, int axis, double yours, double reference, double z,
                   double p)
 {
-    ScatterFinding *finding = judge->finding;
-    finding->tests++;
-    if (p >= finding->p)
+    StageResult *result = judge->result;
+    result->tests++;
+    if (p >= result->p)
         return;
-    finding->p = p;
-    finding->z = fabs(z);
+    result->p = p;
     ScatterCell described = cell_describe(cell);
-    scatter_describe(&described, stat, axis, yours, reference, fabs(z), judge->scene, finding->message,
-                     sizeof finding->message);
+    scatter_describe(&described, stat, axis, yours, reference, fabs(z), judge->scene, result->message,
+                     sizeof result->message);
 }
 
 // Of all paths that reached this cell, half should be the student's: exact, however few they are.
@@ -100,35 +99,34 @@ static long count_odd(const ScatterPhotons *photons)
 }
 
 // What no right code does.
-static bool find_certain(const ScatterPhotons *yours, const ScatterPhotons *reference, ScatterFinding *finding)
+static bool find_certain(StageResult *result)
 {
+    const ScatterPhotons *yours = &result->yours;
     const PhotonNumbersHead *head = &yours->head;
+    char *message = result->message;
+    size_t size = sizeof result->message;
     long odd = count_odd(yours);
-    finding->certain = true;
     if (odd > 0)
-        snprintf(finding->message, sizeof finding->message,
-                 "%ld of %ld photons have a place or a power that is no sensible number", odd, yours->count);
+        snprintf(message, size, "%ld of %ld photons have a place or a power that is no sensible number", odd,
+                 yours->count);
     else if (head->unsound > 0.0f)
-        snprintf(finding->message, sizeof finding->message, "%.0f photons fly in a direction that is not of length 1",
-                 (double)head->unsound);
+        snprintf(message, size, "%.0f photons fly in a direction that is not of length 1", (double)head->unsound);
     else if (head->stored > (float)SCATTER_MOST)
-        snprintf(finding->message, sizeof finding->message,
-                 "%.0f photons come to rest of %.0f emitted; about %.0f are right", (double)head->stored,
-                 (double)head->emitted, (double)reference->head.stored);
-    else
-        finding->certain = false;
-    return finding->certain;
+        snprintf(message, size, "%.0f photons come to rest of %.0f emitted; about %.0f are right", (double)head->stored,
+                 (double)head->emitted, (double)result->reference.head.stored);
+    return *message;
 }
 
-void scatter_compare(const ScatterPhotons *yours, const ScatterPhotons *reference, const Scene *scene,
-                     ScatterFinding *finding)
+void scatter_compare(StageResult *result, const Scene *scene)
 {
-    *finding = (ScatterFinding){.p = 1.0};
-    if (find_certain(yours, reference, finding))
+    result->tests = 0;
+    result->message[0] = '\0';
+    result->p = find_certain(result) ? 0.0 : 1.0;
+    if (result->p == 0.0)
         return;
-    Judge judge = {finding, scene};
+    Judge judge = {result, scene};
     Tally *tallies[2] = {must(calloc(1, sizeof **tallies)), must(calloc(1, sizeof **tallies))};
-    cells_fill((const ScatterPhotons *const[]){yours, reference}, tallies);
+    cells_fill((const ScatterPhotons *const[]){&result->yours, &result->reference}, tallies);
     for (int c = 0; c < CELLS; c++)
         if (!is_repeated(tallies[0], tallies[1], c))
             test_cell(&judge, c, &tallies[0]->cells[c], &tallies[1]->cells[c]);
