@@ -81,15 +81,8 @@ static int find_places(const GradeOptions *options, const LastWords *words, cons
     return count;
 }
 
-static bool is_call(long long number, const char *name)
-{
-    char *its_name = sandbox_call_name(number);
-    bool same = its_name && strcmp(its_name, name) == 0;
-    free(its_name);
-    return same;
-}
-
-static const char *describe_call(long long number)
+// By its name; NULL: it has none.
+static const char *describe_call(const char *name)
 {
     static const struct {
         const char *names, *words;
@@ -105,13 +98,12 @@ static const char *describe_call(long long number)
         {" setuid setgid setreuid setregid setresuid setresgid setgroups capset unshare setns chroot mount umount2 ",
          "becoming another user"},
     };
-    char *name = sandbox_call_name(number), spaced[80];
+    char spaced[80];
     const char *words = "a system call that a step has no need of";
     snprintf(spaced, sizeof spaced, " %s ", name ? name : "?");
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
         if (strstr(calls[i].names, spaced))
             words = calls[i].words;
-    free(name);
     return words;
 }
 
@@ -193,7 +185,8 @@ static void describe_signal(const GradeOptions *options, const SandboxResult *ra
         snprintf(in, sizeof in, ": it was in %s%s%s;", places[0].function, of, words->step);
     }
     bool out_of_memory = ran->memory_mb > 0 && words->peak_kb > ran->memory_mb * 1024 / 4 * 3;
-    bool huge = number == SIGSYS && is_call(words->syscall, "mmap");
+    char *call = number == SIGSYS ? sandbox_call_name(words->syscall) : NULL;
+    bool huge = call && strcmp(call, "mmap") == 0;
     bool ended_by_clock = ran->timed_out || number == SIGALRM;
     if (number == SIGXCPU || (ran->signal == SIGKILL && !ended_by_clock && ran->cpu_seconds >= ran->cpu_limit))
         snprintf(message, size,
@@ -205,8 +198,7 @@ static void describe_signal(const GradeOptions *options, const SandboxResult *ra
     else if (huge || (out_of_memory && number != SIGSYS))
         snprintf(message, size, "it asked for more memory than the %ld MB there are%s", ran->memory_mb, place);
     else if (number == SIGSYS)
-        snprintf(message, size, "it tried something that is not allowed here%s: %s", place,
-                 describe_call(words->syscall));
+        snprintf(message, size, "it tried something that is not allowed here%s: %s", place, describe_call(call));
     else if ((number == SIGSEGV || number == SIGBUS) && words->stack_overflow)
         describe_overflow(places, count, message, size);
     else if (number == SIGABRT)
@@ -215,6 +207,7 @@ static void describe_signal(const GradeOptions *options, const SandboxResult *ra
         snprintf(message, size, "it wrote more than there is room for%s", place);
     else
         crash_describe_signal(number, words->address, place, message, size);
+    free(call);
 }
 
 void crash_describe(const GradeOptions *options, const SandboxResult *ran, const StepInfo *step, StepWords *told)

@@ -60,10 +60,9 @@ static void take_first_failure(StepResult *result)
         const CheckResult *check = &result->checks[i];
         if (check->status != STATUS_FAIL || result->status == STATUS_FAIL)
             continue;
-        result->status = STATUS_FAIL;
         const Finding *finding = &check->finding;
-        snprintf(result->words.message, sizeof result->words.message, "%s",
-                 finding->failed ? finding->message : finding->p_message);
+        result->status =
+            words_say(&result->words, STATUS_FAIL, "%s", finding->failed ? finding->message : finding->p_message);
     }
 }
 

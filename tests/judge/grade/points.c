@@ -27,16 +27,13 @@ static bool number(char **rest, double low, double high, double *value)
 
 static bool is_date(const char *text)
 {
-    const char *pattern = "dddd-dd-dd";
-    if (!text || strlen(text) != strlen(pattern))
+    struct tm day = {.tm_hour = 12};
+    char again[16];
+    const char *end = text ? strptime(text, "%Y-%m-%d", &day) : NULL;
+    if (!end)
         return false;
-    for (size_t i = 0; pattern[i]; i++)
-        if (pattern[i] == 'd' ? text[i] < '0' || text[i] > '9' : text[i] != '-')
-            return false;
-    const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-    int year = atoi(text), month = atoi(text + 5), day = atoi(text + 8);
-    bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-    return month >= 1 && month <= 12 && day >= 1 && day <= days[month - 1] + (month == 2 && leap);
+    timegm(&day); // makes 2 March of 30 February
+    return strftime(again, sizeof again, "%Y-%m-%d", &day) > 0 && strcmp(text, again) == 0;
 }
 
 // step ID WEIGHT [hidden]

@@ -10,9 +10,8 @@ typedef struct {
     bool hidden[STEP_COUNT];
     char due[STEP_COUNT][16]; // "2026-12-01" or empty
     double picture_share;     // of a step's points: what hangs on its picture alone, 0…1
-    double late_per_day,
-        late_most; // of a stage's points, for each day after its due date and in all, 0…1; `make class`
-                   // takes them off, as it knows when work was handed in
+    // Of a stage's points, for each day after its due date and in all, 0…1; `make class` takes them off: it knows the days.
+    double late_per_day, late_most;
 } PointsTable;
 
 // False with "file:line: …" in the error.

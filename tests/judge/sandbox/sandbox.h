@@ -24,14 +24,12 @@ const char *sandbox_name(SandboxKind kind); // "bubblewrap", …
 #define MOST_HIDDEN  16
 typedef struct {
     const char *const *arguments; // program first, NULL last
-    const char
-        *visible[MOST_VISIBLE];      // absolute paths of files and directories that it may read, NULL last; those that
-                                     // are not there are passed over
-    const char *hidden[MOST_HIDDEN]; // absolute paths that it must not read but for what is `visible` in them, NULL
-                                     // last. SANDBOX_UID refuses to run while others can read them
-    const char *writable;            // a directory that it may write to; NULL: none
-    int result_fd;                   // becomes its descriptor 3; −1: none
-    bool compiler;                   // may start processes and write files, as compilers do
+    // Absolute paths, NULL last, of files and directories: what it may read (what is not there is passed over); and what it must not,
+    // but for what is visible in them: SANDBOX_UID refuses to run while others can read that.
+    const char *visible[MOST_VISIBLE], *hidden[MOST_HIDDEN];
+    const char *writable; // a directory that it may write to; NULL: none
+    int result_fd;        // becomes its descriptor 3; −1: none
+    bool compiler;        // may start processes and write files, as compilers do
     double cpu_seconds;
     double wall_seconds;     // that it may wait without any processor time; ten times as long in all
     long memory_mb, file_mb; // memory 0: no limit (AddressSanitizer)
@@ -44,8 +42,7 @@ typedef struct {
     double cpu_seconds, wall_seconds;
     double cpu_limit, wall_limit; // as they were asked for
     long memory_mb;
-    char text
-        [32768]; // what it printed (both streams); when it was more, its beginning and its end, and a line between …
+    char text[32768];     // what it printed (both streams); of more its beginning and its end, and a line between …
     bool keeps_beginning; // … or, of a compiler, the beginning alone
     size_t left_out;      // bytes
 } SandboxResult;

@@ -3,6 +3,7 @@
 #include "judge/submission/submission.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,7 +47,7 @@ static void shorten_paths(const char *from, const char *long_name, const char *s
 }
 
 typedef struct {
-    char source[4096], object[4096], shared[4096], directory[4000], include[4096], code[4096];
+    char source[4096], object[4096], shared[4096], directory[4000], include[4096], code[PATH_MAX];
 } Paths;
 
 static bool run_tool(const GradeOptions *options, const Paths *p, const char *const *words, SandboxResult *ran,
@@ -166,11 +167,9 @@ static Status find_source(const Paths *p, StepWords *words)
 Status compile_step(const GradeOptions *options, const StepInfo *step, StepWords *words)
 {
     Paths p;
-    char absolute[4096];
-    if (!realpath(options->code, absolute))
+    if (!realpath(options->code, p.code))
         return words_say(words, STATUS_TODO, "no directory %s", options->code);
-    snprintf(p.code, sizeof p.code, "%s", absolute);
-    snprintf(p.source, sizeof p.source, "%.3000s/%s.c", absolute, step->file);
+    snprintf(p.source, sizeof p.source, "%.3000s/%s.c", p.code, step->file);
     snprintf(p.include, sizeof p.include, "%s/lib", options->root);
     step_directory(options, step, p.directory, sizeof p.directory);
     snprintf(p.object, sizeof p.object, "%s/step.o", p.directory);

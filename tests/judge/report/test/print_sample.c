@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SAMPLE 15 // steps: the first three stages
-
 static const Check values = {.name = "values", .title = "A table of values", .kind = CHECK_VALUES};
 static const Check density = {.name = "density", .title = "Directions follow the density", .kind = CHECK_SAMPLES};
 
