@@ -1,7 +1,7 @@
 // What a probe gives back: whole cases of the sizes that were asked for, or a forgery, whatever the step in it wrote. The first
 // byte says which step it was; the sandbox's run is played here.
 #include "fuzz/fuzz.h"
-#include "judge/grade/probe_job.h"
+#include "judge/grade/grade.h"
 
 static const uint8_t *written;
 static size_t written_size;

@@ -45,9 +45,8 @@ static Status confirm(const GradeOptions *options, const StepChecks *checks, Ste
         if (first->status == STATUS_FAIL && !first->finding.failed && again->checks[i].status == STATUS_PASS)
             first->status = STATUS_PASS;
     }
-    if (status != STATUS_PASS) {
+    if (status != STATUS_PASS)
         result->words = again->words;
-    }
     step_result_free(again);
     free(again);
     return status;

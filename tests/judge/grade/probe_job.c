@@ -1,5 +1,5 @@
 #define _GNU_SOURCE // mkostemp
-#include "judge/grade/probe_job.h"
+#include "judge/grade/grade.h"
 #include "judge/probe/probe_sizes.h"
 #include "base/file.h"
 

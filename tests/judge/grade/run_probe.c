@@ -1,5 +1,5 @@
 // The probe's run on a step's cases: what of the others' work it may see, and what the student is told.
-#include "judge/grade/probe_job.h"
+#include "judge/grade/grade.h"
 
 #include <stdio.h>
 #include <stdlib.h>

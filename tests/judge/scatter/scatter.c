@@ -1,6 +1,5 @@
 #include "judge/scatter/scatter.h"
 #include "base/text.h"
-#include "judge/grade/probe_job.h"
 
 #include "judge/probe/probe_sizes.h"
 
@@ -18,47 +17,43 @@ const ScatterStage scatter_stages[STAGE_COUNT] = {
     [2] = {"tests/steps/scenes/scatter_3.yaml", 12000, 16, "photon"},
 };
 
-// Who plays: the student's steps by their place in the table, and which solutions they must not see.
+// Who plays what, and where; the student's steps by their place in the table.
 typedef struct {
-    bool student[STEP_COUNT], hidden[STEP_COUNT];
+    const GradeOptions *options;
+    const ScatterStage *stage;
+    ProbeJob job;   // of the student's; its directory is "" while nothing is written
     char list[100]; // "2.1,2.4"
     char play[40];  // "2.4,3.4"
-} Cast;
+} Stage;
 
-static void list_cast(Cast *cast)
+static void list_cast(Stage *s)
 {
-    cast->list[0] = '\0';
-    memset(cast->hidden, 0, sizeof cast->hidden);
+    ProbeJob *job = &s->job;
+    s->list[0] = '\0';
+    memset(job->hidden, 0, sizeof job->hidden);
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        if (!cast->student[i])
+        if (!job->student[i])
             continue;
-        text_append(cast->list, sizeof cast->list, "%s%s", *cast->list ? "," : "", step_table[i].id);
-        cast->hidden[i] = true;
+        text_append(s->list, sizeof s->list, "%s%s", *s->list ? "," : "", step_table[i].id);
+        job->hidden[i] = true;
         for (size_t j = 0; j < STEP_COUNT; j++) // solutions that do the same work are hidden, too
-            cast->hidden[j] = cast->hidden[j] || steps_are_paired(&step_table[i], &step_table[j]);
+            job->hidden[j] = job->hidden[j] || steps_are_paired(&step_table[i], &step_table[j]);
     }
 }
 
 // The student's steps of this stage that run and play in a photon pass; of two that do the same work, the one that plays.
-static void choose_cast(int stage, const StepResult *graded, int count, Cast *cast)
+static void choose_cast(int stage, const StepResult *graded, int count, Stage *s)
 {
-    *cast = (Cast){.list = ""};
+    bool *student = s->job.student;
     for (int i = 0; i < count; i++)
         if (graded[i].step->stage == stage && graded[i].playable && !graded[i].hidden)
-            cast->student[graded[i].step - step_table] = graded[i].step->pass == PHOTON_PASS;
-    StepChoice choice = step_choice_for(cast->student);
-    step_choice_print(choice, cast->play, sizeof cast->play);
+            student[graded[i].step - step_table] = graded[i].step->pass == PHOTON_PASS;
+    StepChoice choice = step_choice_for(student);
+    step_choice_print(choice, s->play, sizeof s->play);
     for (size_t i = 0; i < STEP_COUNT; i++)
-        cast->student[i] = cast->student[i] && step_is_played(&step_table[i], choice);
-    list_cast(cast);
+        student[i] = student[i] && step_is_played(&step_table[i], choice);
+    list_cast(s);
 }
-
-typedef struct {
-    const GradeOptions *options;
-    const ScatterStage *stage;
-    Cast cast;
-    char directory[4000]; // "" while nothing is written
-} Stage;
 
 static uint64_t seed_of(const GradeOptions *options, int stage, int round, bool reference)
 {
@@ -92,17 +87,14 @@ static bool take_photons(float *numbers, long emitted, ScatterPhotons *photons)
 static bool run(const Stage *s, bool reference, uint64_t seed, ScatterPhotons *photons, StageResult *result)
 {
     const GradeOptions *o = s->options;
-    Cast nobody = {.list = ""};
-    const Cast *cast = reference ? &nobody : &s->cast;
     char line[400], *lines[] = {line};
     snprintf(line, sizeof line, "scatter %s %ld %ld %d %s %llu", s->stage->scene, s->stage->photons, SCATTER_MOST,
-             s->stage->depth, s->cast.play, (unsigned long long)seed);
-    ProbeJob job = {.cases = reference ? "reference.txt" : "scatter.txt",
-                    .list = cast->list,
-                    .cpu_seconds = o->cpu_seconds / 3.0}; // it takes a twentieth of a second
-    memcpy(job.directory, s->directory, sizeof job.directory);
-    memcpy(job.student, cast->student, sizeof job.student);
-    memcpy(job.hidden, cast->hidden, sizeof job.hidden);
+             s->stage->depth, s->play, (unsigned long long)seed);
+    ProbeJob job = s->job;
+    job.cases = reference ? "reference.txt" : "scatter.txt";
+    job.list = reference ? "" : s->list;
+    for (size_t i = 0; reference && i < STEP_COUNT; i++)
+        job.student[i] = job.hidden[i] = false;
     Numbers numbers = {NULL, 0};
     ProbeRun ran;
     StepWords told;
@@ -156,12 +148,12 @@ static void suspect(const Stage *s, const StepResult *graded, int count, StageRe
             graded[i].status != STATUS_TODO)
             return; // that one is named already
     for (size_t i = 0; i < STEP_COUNT; i++) {
-        if (!s->cast.student[i])
+        if (!s->job.student[i])
             continue;
         Stage without = *s;
         StageResult trial = {.stage = result->stage, .p = 1.0};
-        without.cast.student[i] = false;
-        list_cast(&without.cast);
+        without.job.student[i] = false;
+        list_cast(&without);
         play_round(&without, 0, &trial);
         if (trial.status == STATUS_PASS)
             text_append(names, sizeof names, "%s%s", *names ? " or " : "", step_table[i].id);
@@ -180,13 +172,14 @@ void grade_scatter(const GradeOptions *options, int stage, const StepResult *gra
     double start = clock_seconds();
     *result = (StageResult){.stage = stage, .status = STATUS_TODO, .p = 1.0};
     Stage s = {.options = options, .stage = &scatter_stages[stage - 1]};
-    choose_cast(stage, graded, count, &s.cast);
-    if (!s.stage->scene || !*s.cast.list)
+    s.job.cpu_seconds = options->cpu_seconds / 3.0; // it takes a twentieth of a second
+    choose_cast(stage, graded, count, &s);
+    if (!s.stage->scene || !*s.list)
         return;
-    for (const char *c = s.cast.list; *c; c++)
-        result->steps[c - s.cast.list] = *c == ',' ? ' ' : *c;
-    snprintf(s.directory, sizeof s.directory, "%s/scatter_%d", options->work, stage);
-    mkdir(s.directory, 0755);
+    for (const char *c = s.list; *c; c++)
+        result->steps[c - s.list] = *c == ',' ? ' ' : *c;
+    snprintf(s.job.directory, sizeof s.job.directory, "%s/scatter_%d", options->work, stage);
+    mkdir(s.job.directory, 0755);
     play_round(&s, 0, result);
     bool by_chance = result->status == STATUS_FAIL && result->p > 0.0;
     if (by_chance && !options->first_round_only) {
