@@ -24,11 +24,9 @@ static bool fails_for_certain(const StepResult *result)
 static bool needs_confirmation(const StepResult *result)
 {
     bool chance = false;
-    if (fails_for_certain(result))
-        return false;
     for (int i = 0; i < result->check_count; i++)
         chance = chance || (result->checks[i].status == STATUS_FAIL && !result->checks[i].finding.failed);
-    return chance;
+    return chance && !fails_for_certain(result);
 }
 
 static Status confirm(const GradeOptions *options, const StepChecks *checks, StepResult *result)
@@ -55,14 +53,13 @@ static Status confirm(const GradeOptions *options, const StepChecks *checks, Ste
 // The first failure's words stand for the step: checks go from what is simple to what is not.
 static void take_first_failure(StepResult *result)
 {
-    for (int i = 0; i < result->check_count; i++) {
-        const CheckResult *check = &result->checks[i];
-        if (check->status != STATUS_FAIL || result->status == STATUS_FAIL)
-            continue;
-        const Finding *finding = &check->finding;
-        result->status =
-            words_say(&result->words, STATUS_FAIL, "%s", finding->failed ? finding->message : finding->p_message);
-    }
+    for (int i = 0; i < result->check_count; i++)
+        if (result->checks[i].status == STATUS_FAIL) {
+            const Finding *finding = &result->checks[i].finding;
+            result->status =
+                words_say(&result->words, STATUS_FAIL, "%s", finding->failed ? finding->message : finding->p_message);
+            return;
+        }
 }
 
 // For `make debug`: one line, the file of cases and the number of the one that failed.

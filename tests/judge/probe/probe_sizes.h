@@ -22,7 +22,7 @@ typedef struct {
 } BatchSum;
 
 typedef struct {
-    double emitted[3], absorbed[3], escaped[3], cut[3], chance[3], chance_error[3]; // W; see Ledger
+    double emitted[3], absorbed[3], escaped[3], cut[3], chance[3], chance_error[3]; // W: a Ledger, field by field
     double segments, unsound;                                                       // see PhotonPass
     double unusual; // photons at rest with a negative power, one that is no number, or of a material beyond those
     BatchSum stored[BATCH_MATERIALS][BATCH_COLOURS];

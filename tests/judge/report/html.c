@@ -16,10 +16,7 @@ static void write_strip(const Report *report, FILE *stream)
 {
     int stage = 0;
     fputs("<nav class=\"strip\" aria-label=\"steps\">", stream);
-    for (size_t i = 0; i < report->step_count; i++) {
-        const ReportStep *step = &report->steps[i];
-        if (!report_shows(report, step))
-            continue;
+    for (const ReportStep *step = NULL; (step = report_next(report, step));) {
         if (stage != 0 && stage != step->stage)
             fputs("<span class=\"gap\"></span>", stream);
         stage = step->stage;
@@ -44,10 +41,7 @@ static void write_counts(const ReportSums *sums, FILE *stream)
 static const ReportStep *next_step(const Report *report)
 {
     const ReportStep *open = NULL;
-    for (size_t i = 0; i < report->step_count; i++) {
-        const ReportStep *step = &report->steps[i];
-        if (!report_shows(report, step))
-            continue;
+    for (const ReportStep *step = NULL; (step = report_next(report, step));) {
         if (status_is_wrong(step->status))
             return step;
         if (step->status == STATUS_TODO && !open)
@@ -141,10 +135,7 @@ bool report_html(const Report *report, FILE *stream, Error *error)
     ReportSums sums = report_sums(report, report->teacher, 0);
     write_head(report, &sums, stream);
     int stage = 0;
-    for (size_t i = 0; i < report->step_count; i++) {
-        const ReportStep *step = &report->steps[i];
-        if (!report_shows(report, step))
-            continue;
+    for (const ReportStep *step = NULL; (step = report_next(report, step));) {
         if (step->stage != stage)
             write_scatter(report, stage, stream);
         if (step->stage != stage)

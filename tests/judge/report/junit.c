@@ -71,9 +71,9 @@ static void write_stage(const Report *report, int stage, FILE *stream)
         return;
     fprintf(stream, "  <testsuite name=\"stage %d\"", stage);
     write_counts(&sums, stream);
-    for (size_t i = 0; i < report->step_count; i++)
-        if (report->steps[i].stage == stage && report_shows(report, &report->steps[i]))
-            write_step(&report->steps[i], stream);
+    for (const ReportStep *step = NULL; (step = report_next(report, step));)
+        if (step->stage == stage)
+            write_step(step, stream);
     if (report_scatter(report, stage))
         write_scatter(report_scatter(report, stage), stream);
     fputs("  </testsuite>\n", stream);

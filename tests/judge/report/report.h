@@ -92,7 +92,8 @@ typedef struct {
     double points, points_max, hidden_points, hidden_points_max, seconds;
 } ReportSums;
 ReportSums report_sums(const Report *report, bool teacher, int stage);
-bool report_shows(const Report *report, const ReportStep *step);
+// The first step that is shown behind `step`, or, NULL, of all; NULL: no more.
+const ReportStep *report_next(const Report *report, const ReportStep *step);
 
 // directory/name; returns `path`.
 #define MOST_PATH 8200

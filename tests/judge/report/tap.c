@@ -91,10 +91,7 @@ bool report_tap(const Report *report, FILE *stream, Error *error)
     if (sums.hidden > 0)
         fprintf(stream, "# %zu hidden step%s graded, too\n", sums.hidden, sums.hidden == 1 ? " is" : "s are");
     size_t number = 0;
-    for (size_t i = 0; i < report->step_count; i++) {
-        const ReportStep *step = &report->steps[i];
-        if (!report_shows(report, step))
-            continue;
+    for (const ReportStep *step = NULL; (step = report_next(report, step));) {
         write_title(step, ++number, stream);
         write_details(step, stream);
     }

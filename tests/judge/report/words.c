@@ -33,9 +33,12 @@ ReportStep report_scatter_step(const ReportScatter *scatter, char title[32])
                         .seconds = scatter->seconds};
 }
 
-bool report_shows(const Report *report, const ReportStep *step)
+const ReportStep *report_next(const Report *report, const ReportStep *step)
 {
-    return report->teacher || !step->hidden;
+    for (step = step ? step + 1 : report->steps; step < report->steps + report->step_count; step++)
+        if (report->teacher || !step->hidden)
+            return step;
+    return NULL;
 }
 
 ReportSums report_sums(const Report *report, bool teacher, int stage)
