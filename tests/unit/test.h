@@ -9,6 +9,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "base/error.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,6 +24,28 @@ static void test_add(struct CMUnitTest test)
     assert_true(test_count < sizeof all_tests / sizeof *all_tests);
     all_tests[test_count++] = test;
 }
+
+// ---- errors
+
+// For calls to say in what went wrong; empty again once a test has looked at it, and at its end.
+static Error said;
+
+static inline void assert_said(const char *words)
+{
+    if (!strstr(said.message, words))
+        fail_msg("\"%s\" does not say \"%s\"", said.message, words);
+    said = (Error){""};
+}
+
+// The call, which takes &said, gives false or NULL, and says these words.
+#define assert_refused(call, words) (assert_true(!(call)), assert_said(words))
+
+// It gives something else; if not, what it says is the failure.
+#define assert_works(call)                                                                                             \
+    do {                                                                                                               \
+        if (!(call))                                                                                                   \
+            fail_msg("%s", said.message);                                                                              \
+    } while (0)
 
 // ---- what is freed at the end
 
@@ -41,16 +65,19 @@ static inline void at_end(void (*release)(void *thing), void *thing)
     newest = owned;
 }
 
+// What runs before or after tests; 0: all went well.
+#define FIXTURE(name) static inline int name(__attribute__((unused)) void **state)
+
 // The newest first.
-static inline int free_all(void **state)
+FIXTURE(free_all)
 {
-    (void)state;
     while (newest) {
         Owned owned = *newest;
         free(newest);
         newest = owned.older;
         owned.release(owned.thing);
     }
+    said = (Error){""};
     return 0;
 }
 
@@ -66,13 +93,19 @@ static inline int free_all(void **state)
         return thing;                                                                                                  \
     }
 
+// Zeroed memory that is there until then.
+static inline void *memory(size_t count, size_t size)
+{
+    void *all = calloc(count, size);
+    assert_non_null(all);
+    at_end(free, all);
+    return all;
+}
+
 // A copy that is there until then: of a value that a function gave, to be released by its address.
 static inline void *kept(const void *value, size_t size)
 {
-    void *copy = malloc(size);
-    assert_non_null(copy);
-    at_end(free, copy);
-    return memcpy(copy, value, size);
+    return memcpy(memory(1, size), value, size);
 }
 
 // ---- tests

@@ -29,13 +29,11 @@
 static const double DEGREES = 57.295779513082321;
 
 // For cmocka's group setup: every test program runs the reference steps.
-static inline int load_reference_steps(void **state)
+FIXTURE(load_reference_steps)
 {
-    (void)state;
-    Error error = {""};
-    if (steps_load(NULL, &error))
+    if (steps_load(NULL, &said))
         return 0;
-    print_error("%s\n", error.message);
+    print_error("%s\n", said.message);
     return -1;
 }
 
@@ -116,10 +114,8 @@ FREED_AT_END(own_pass, PhotonPass, photon_pass_free)
 // Files that the text names are looked for in `folder`.
 static inline Scene *scene_in_folder(const char *text, const char *folder)
 {
-    Error error = {""};
-    Scene *scene = scene_load_text(text, strlen(text), "scene of the test", folder, &error);
-    if (!scene)
-        fail_msg("%s", error.message);
+    Scene *scene = scene_load_text(text, strlen(text), "scene of the test", folder, &said);
+    assert_works(scene);
     return own_scene(scene);
 }
 
@@ -130,10 +126,9 @@ static inline Scene *scene_from_text(const char *text)
 
 static inline Scene *scene_from_file(const char *path)
 {
-    Error error = {""};
-    Scene *scene = scene_load(path, &error);
+    Scene *scene = scene_load(path, &said);
     if (!scene)
-        fail_msg("%s (meshes are generated: run `make` first)", error.message);
+        fail_msg("%s (meshes are generated: run `make` first)", said.message);
     return own_scene(scene);
 }
 
@@ -143,10 +138,8 @@ static inline PhotonPass photons_of(const Scene *scene, long photons, uint64_t s
     PhotonPassOptions options = {
         .photons = photons, .depth = scene->settings.depth, .seed = seed, .keep = KEEP_ALL, .play = play};
     PhotonPass pass;
-    Error error = {""};
     steps_play(play);
-    if (!photon_pass_run(scene, &options, &pass, &error))
-        fail_msg("%s", error.message);
+    assert_works(photon_pass_run(scene, &options, &pass, &said));
     return *own_pass(kept(&pass, sizeof pass));
 }
 

@@ -1,4 +1,4 @@
-// What the tests of images share: images that are freed at the test's end, and what an error says.
+// What the tests of images share: images that are freed at the test's end.
 #ifndef PHOTONLAB_TESTS_IMAGE_HELPERS_H
 #define PHOTONLAB_TESTS_IMAGE_HELPERS_H
 
@@ -19,12 +19,6 @@ static inline Image image_of_file(const char *path)
     Image image;
     assert_true(image_read(&image, path, NULL));
     return *own_image(kept(&image, sizeof image));
-}
-
-static inline void assert_message(const Error *error, const char *part)
-{
-    if (!strstr(error->message, part))
-        fail_msg("\"%s\" does not say \"%s\"", error->message, part);
 }
 
 #endif

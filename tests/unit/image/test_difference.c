@@ -6,6 +6,13 @@
 
 static const ImageMask NO_MASK = {0, 0, 0, 0};
 
+static Image picture_of(const Image *image, const Image *reference, float scale)
+{
+    Image picture;
+    assert_works(image_difference_picture(image, reference, scale, &picture, &said));
+    return *own_image(kept(&picture, sizeof picture));
+}
+
 static void assert_near(double value, double expected)
 {
     if (!(fabs(value - expected) <= 1e-12 * fabs(expected)))
@@ -43,7 +50,6 @@ TEST(mask_leaves_its_rectangle_out)
 {
     Image image = make_image(5, 4), reference = make_image(5, 4);
     ImageDifference d;
-    Error error = {""};
     image_at(&image, 1, 2)->r = 1.0f;
     image_at(&image, 2, 3)->r = 1.0f;
     assert_true(image_difference(&image, &reference, (ImageMask){1, 2, 3, 4}, &d, NULL));
@@ -60,8 +66,7 @@ TEST(mask_leaves_its_rectangle_out)
         assert_true(image_difference(&image, &reference, nothing[i], &d, NULL));
         assert_int_equal(d.pixels, 20);
     }
-    assert_false(image_difference(&image, &reference, (ImageMask){-1, -1, 9, 9}, &d, &error));
-    assert_message(&error, "nothing to compare");
+    assert_refused(image_difference(&image, &reference, (ImageMask){-1, -1, 9, 9}, &d, &said), "nothing to compare");
 }
 
 TEST(trimming_drops_one_pixel_in_a_thousand)
@@ -84,20 +89,16 @@ TEST(trimming_drops_one_pixel_in_a_thousand)
 TEST(pairs_that_cannot_be_compared_are_refused)
 {
     Image image = make_image(3, 2), turned = make_image(2, 3), broken = make_image(3, 2), empty = {0}, picture;
-    Error size = {""}, number = {""}, scale = {""};
     ImageDifference d;
     image_at(&broken, 2, 1)->b = NAN;
-    assert_false(image_difference(&image, &turned, NO_MASK, &d, &size));
-    assert_message(&size, "the image is 3×2 pixels, the reference 2×3");
-    assert_false(image_difference(&image, &broken, NO_MASK, &d, &number));
-    assert_message(&number, "reference: the pixel in column 2, row 1");
+    assert_refused(image_difference(&image, &turned, NO_MASK, &d, &said), "the image is 3×2 pixels, the reference 2×3");
+    assert_refused(image_difference(&image, &broken, NO_MASK, &d, &said), "reference: the pixel in column 2, row 1");
     assert_false(image_difference(&broken, &image, NO_MASK, &d, NULL));
     assert_false(image_difference(&empty, &empty, NO_MASK, &d, NULL));
     assert_false(image_difference_picture(&image, &turned, 1.0f, &picture, NULL));
     assert_false(image_difference_picture(&image, &broken, 1.0f, &picture, NULL));
     assert_false(image_difference_picture(&image, &image, NAN, &picture, NULL));
-    assert_false(image_difference_picture(&image, &image, -1.0f, &picture, &scale));
-    assert_message(&scale, "the scale of the picture is -1");
+    assert_refused(image_difference_picture(&image, &image, -1.0f, &picture, &said), "the scale of the picture is -1");
     assert_null(picture.pixels);
 }
 
@@ -110,40 +111,36 @@ static void assert_colour(Colour c, float r, float g, float b)
 
 TEST(picture_is_red_where_brighter)
 {
-    Image image = make_image(5, 1), reference = make_image(5, 1), picture;
+    Image image = make_image(5, 1), reference = make_image(5, 1);
     image.pixels[0] = colour(0.75f, 0.0f, 0.0f); // the mean over channels: 0.25
     reference.pixels[1] = colour_grey(0.25f);
     image.pixels[2] = colour(1.0f, -1.0f, 0.0f);
     image.pixels[3] = colour_grey(9.0f);
     reference.pixels[4] = colour_grey(9.0f);
-    assert_true(image_difference_picture(&image, &reference, 0.5f, &picture, NULL));
+    Image picture = picture_of(&image, &reference, 0.5f);
     assert_colour(picture.pixels[0], 1.0f, 0.5f, 0.5f);
     assert_colour(picture.pixels[1], 0.5f, 0.5f, 1.0f);
     assert_colour(picture.pixels[2], 1.0f, 1.0f, 1.0f);
     assert_colour(picture.pixels[3], 1.0f, 0.0f, 0.0f);
     assert_colour(picture.pixels[4], 0.0f, 0.0f, 1.0f);
-    image_free(&picture);
 }
 
 TEST(picture_finds_its_scale)
 {
-    Image image = make_image(201, 1), reference = make_image(201, 1), picture;
+    Image image = make_image(201, 1), reference = make_image(201, 1);
     for (int i = 0; i <= 200; i++)
         image.pixels[(i * 89) % 201] = colour_grey((float)i / 200.0f); // percentile 99: number 198, 0.99
-    assert_true(image_difference_picture(&image, &reference, 0.0f, &picture, NULL));
+    Image picture = picture_of(&image, &reference, 0.0f);
     assert_colour(picture.pixels[99 * 89 % 201], 1.0f, 0.5f, 0.5f);
     assert_colour(picture.pixels[197 * 89 % 201], 1.0f, 1.0f - 0.985f / 0.99f, 1.0f - 0.985f / 0.99f);
     assert_colour(picture.pixels[200 * 89 % 201], 1.0f, 0.0f, 0.0f);
-    image_free(&picture);
-    assert_true(image_difference_picture(&image, &image, 0.0f, &picture, NULL));
+    picture = picture_of(&image, &image, 0.0f);
     assert_colour(picture.pixels[200], 1.0f, 1.0f, 1.0f);
-    image_free(&picture);
     memset(image.pixels, 0, 201 * sizeof *image.pixels);
     image.pixels[3] = colour_grey(0.5f); // too few: the percentile is 0, the largest decides
     image.pixels[5] = colour_grey(0.25f);
-    assert_true(image_difference_picture(&reference, &image, 0.0f, &picture, NULL));
+    picture = picture_of(&reference, &image, 0.0f);
     assert_colour(picture.pixels[3], 0.0f, 0.0f, 1.0f);
     assert_colour(picture.pixels[5], 0.5f, 0.5f, 1.0f);
     assert_colour(picture.pixels[4], 1.0f, 1.0f, 1.0f);
-    image_free(&picture);
 }

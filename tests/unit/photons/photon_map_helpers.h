@@ -46,10 +46,9 @@ FREED_AT_END(own_map, PhotonMap, photon_map_free)
 
 static inline PhotonMap *make_map(Arrangement arrangement, size_t count, uint64_t seed)
 {
-    Error error = {{0}};
-    PhotonMap *map = photon_map_build(make_photons(arrangement, count, seed), count, &error);
+    PhotonMap *map = photon_map_build(make_photons(arrangement, count, seed), count, &said);
     assert_non_null(map);
-    assert_string_equal(error.message, "");
+    assert_string_equal(said.message, "");
     return own_map(map);
 }
 

@@ -15,10 +15,9 @@ TEST(a_power_that_is_no_number_has_a_colour)
     assert_true(fd >= 0 && close(fd) == 0);
     for (int i = 0; i < 3; i++) {
         StoredPhoton photon = {.power = powers[i]};
-        Error error = {""};
         size_t size;
-        assert_true(photon_file_write(&photon, 1, path, &error));
-        char *text = file_read(path, 4096, &size, &error);
+        assert_true(photon_file_write(&photon, 1, path, &said));
+        char *text = file_read(path, 4096, &size, &said);
         assert_non_null(text);
         if (!strstr(text, colours[i]))
             fail_msg("expected %s in: %s", colours[i], text);

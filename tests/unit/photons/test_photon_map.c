@@ -149,9 +149,8 @@ TEST(test_example_of_the_header)
     const size_t count = 20000;
     StoredPhoton *photons = make_photons(CUBE, count, 8);
     Vec3 point = vec3(0.1f, 0.2f, -0.3f);
-    Error error = {""};
 
-    PhotonMap *map = own_map(photon_map_build(photons, count, &error)); // takes the array over and reorders it
+    PhotonMap *map = own_map(photon_map_build(photons, count, &said)); // takes the array over and reorders it
     NearPhoton near[PHOTON_MAP_NEAREST_CAPACITY(50)];
     float radius2 = 0.1f * 0.1f;
     size_t found = photon_map_nearest(map, point, 50, &radius2, near);

@@ -72,10 +72,9 @@ TEST(test_refuses_bad_positions)
     for (int i = 0; i < 12; i++) {
         StoredPhoton *photons = make_photons(CUBE, 100, 11);
         (&photons[42].position.x)[i % 3] = bad[i / 3];
-        Error error = {{0}};
-        assert_null(photon_map_build(photons, 100, &error));
-        assert_non_null(strstr(error.message, "photon 42 "));
-        assert_non_null(strstr(error.message, "finite"));
+        assert_null(photon_map_build(photons, 100, &said));
+        assert_non_null(strstr(said.message, "photon 42 "));
+        assert_said("finite");
     }
 }
 

@@ -48,9 +48,8 @@ TEST(an_id_is_no_part_of_another)
 TEST(pairs_of_steps)
 {
     StepChoice choice;
-    Error error = {""};
     char text[40];
-    assert_true(step_choice_parse("1.5", &choice, &error));
+    assert_true(step_choice_parse("1.5", &choice, &said));
     step_choice_print(choice, text, sizeof text);
     assert_string_equal(text, "2.4,1.5");
     assert_true(step_is_played(step_find("1.5"), choice) && !step_is_played(step_find("3.5"), choice));
@@ -59,9 +58,9 @@ TEST(pairs_of_steps)
     assert_true(steps_are_paired(step_find("3.5"), step_find("1.5")));
     assert_false(steps_are_paired(step_find("3.5"), step_find("3.4")) ||
                  steps_are_paired(step_find("1.5"), step_find("2.4")));
-    assert_false(step_choice_parse("3.4,1.5", &choice, &error));
+    assert_false(step_choice_parse("3.4,1.5", &choice, &said));
     assert_string_equal(
-        error.message,
+        said.message,
         "--steps 3.4,1.5: no choice `1.5`; expected 2.4 or 2.3, and 3.4 or 1.5 or 6.4, parted by a comma");
     bool started[STEP_COUNT] = {false};
     started[STEP_trace_photon] = started[STEP_scatter_glossy_source_text] = started[STEP_scatter_glossy_phong] = true;

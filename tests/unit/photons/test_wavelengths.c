@@ -13,9 +13,7 @@ static PhotonPass spectral_pass(const Scene *scene, long photons, bool hero)
                                  .play = PLAY_WAVELENGTHS,
                                  .hero = hero};
     PhotonPass pass;
-    Error error = {""};
-    if (!photon_pass_run(scene, &options, &pass, &error))
-        fail_msg("%s", error.message);
+    assert_works(photon_pass_run(scene, &options, &pass, &said));
     return *own_pass(kept(&pass, sizeof pass));
 }
 

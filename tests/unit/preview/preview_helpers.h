@@ -88,10 +88,8 @@ static inline RunStatus finish(Run *run)
 
 static inline Run *start(const RunRequest *request)
 {
-    Error error = {""};
-    Run *run = run_start(broker, request, &error);
-    if (!run)
-        fail_msg("%s", error.message);
+    Run *run = run_start(broker, request, &said);
+    assert_works(run);
     return run;
 }
 
@@ -135,15 +133,14 @@ static inline void good_run(const char *what)
 
 static inline int preview_start(void **state, const Fault *faults, size_t count)
 {
-    Error error = {""};
     char source[1024];
     setenv("ASAN_OPTIONS", "detect_leaks=0", 0);
-    scene = scene_load("scenes/box_dispersion.yaml", &error);
+    scene = scene_load("scenes/box_dispersion.yaml", &said);
     bool made = mkdtemp(folder) != NULL;
     snprintf(source, sizeof source, "%s/undefined", folder);
-    broker = scene && made ? broker_start(scene, source, &error) : NULL;
+    broker = scene && made ? broker_start(scene, source, &said) : NULL;
     if (!broker) {
-        print_error("%s\n", error.message);
+        print_error("%s\n", said.message);
         return -1;
     }
     broker_workers(broker, 2);
@@ -151,9 +148,8 @@ static inline int preview_start(void **state, const Fault *faults, size_t count)
     return load_reference_steps(state); // after the helper was forked
 }
 
-static inline int preview_end(void **state)
+FIXTURE(preview_end)
 {
-    (void)state;
     char command[1024];
     broker_stop(broker);
     scene_free(scene);

@@ -1,34 +1,19 @@
 // Where the preview draws: the same bytes from OSMesa, EGL and a window, and what is said when they are missing.
-#include "preview/draw/context/context.h"
 #include "preview/window.h"
-#include "unit/test.h"
+#include "unit/preview/canvas_helpers.h"
 
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { WIDTH = 160, HEIGHT = 120 };
-static const Rgba BLACK = {0, 0, 0, 255};
-
 // ---- The same bytes from everywhere ----
-
-static uint8_t seen[4 * WIDTH * HEIGHT];
-
-static int count_all(void)
-{
-    int count = 0;
-    for (size_t i = 0; i < sizeof seen; i += 4)
-        count += seen[i] || seen[i + 1] || seen[i + 2];
-    return count;
-}
 
 // Some of everything, with numbers that fall between pixels.
 static bool draw_much(GlLoader loader, uint8_t *rgba)
 {
-    Error error = {""};
-    Canvas *canvas = canvas_create(loader, WIDTH, HEIGHT, &error);
+    Canvas *canvas = canvas_create(loader, WIDTH, HEIGHT, &said);
     if (!canvas) {
-        print_message("%s\n", error.message);
+        print_message("%s\n", said.message);
         return false;
     }
     static const float LENS[16] = {1.3f, 0.1f, 0, 0.2f, 0, 1.7f, 0, 0.1f, 0.2f, 0, 1, 0.3f, 0, 0, 0, 1.5f};
@@ -61,11 +46,10 @@ static bool draw_elsewhere(ContextKind kind, bool in_window, uint8_t *rgba)
     pid_t child = fork();
     if (child == 0) {
         static uint8_t bytes[4 * WIDTH * HEIGHT];
-        Error error = {""};
-        Context *own = in_window ? NULL : context_create(kind, &error);
-        Window *window = in_window ? window_create(NULL, 50, 50, &error) : NULL;
+        Context *own = in_window ? NULL : context_create(kind, &said);
+        Window *window = in_window ? window_create(NULL, 50, 50, &said) : NULL;
         if (!own && !window)
-            print_message("skipped: %s\n", error.message);
+            print_message("skipped: %s\n", said.message);
         else if (draw_much(own ? context_loader(own) : window_loader(), bytes))
             for (size_t sent = 0; sent < sizeof bytes;)
                 sent += (size_t)write(ends[1], bytes + sent, sizeof bytes - sent);
@@ -146,22 +130,20 @@ TEST(a_window_draws_the_same_bytes)
 
 TEST(what_is_missing_is_named)
 {
-    Error error = {""}, osmesa = {""}, window = {""}, screen = {""};
     setenv("PHOTONLAB_WITHOUT", "osmesa,egl,glfw", 1);
-    assert_null(context_create(CONTEXT_ANY, &error));
-    assert_non_null(strstr(error.message, "apt-get install libosmesa6"));
-    assert_non_null(strstr(error.message, "libegl1"));
-    assert_null(context_create(CONTEXT_OSMESA, &osmesa));
-    assert_non_null(strstr(osmesa.message, "there is no libOSMesa"));
-    assert_null(window_create("", 100, 100, &window));
-    assert_non_null(strstr(window.message, "GLFW"));
-    assert_non_null(strstr(window.message, "apt-get install"));
+    assert_null(context_create(CONTEXT_ANY, &said));
+    assert_non_null(strstr(said.message, "apt-get install libosmesa6"));
+    assert_said("libegl1");
+    assert_refused(context_create(CONTEXT_OSMESA, &said), "there is no libOSMesa");
+    assert_null(window_create("", 100, 100, &said));
+    assert_non_null(strstr(said.message, "GLFW"));
+    assert_said("apt-get install");
     unsetenv("PHOTONLAB_WITHOUT");
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
 #ifndef __APPLE__
-    assert_null(window_create("", 100, 100, &screen));
-    assert_true(strstr(screen.message, "no display") || strstr(screen.message, "GLFW"));
+    assert_null(window_create("", 100, 100, &said));
+    assert_true(strstr(said.message, "no display") || strstr(said.message, "GLFW"));
 #endif
 }
 
@@ -176,12 +158,6 @@ TEST(egl_serves_without_osmesa)
         skip();
     assert_true(drawn);
     assert_memory_equal(seen, other, sizeof seen);
-}
-
-static int software_alone(void **state) // the same on every machine
-{
-    (void)state;
-    return setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1) || setenv("GALLIUM_DRIVER", "llvmpipe", 1);
 }
 
 AROUND_TESTS(software_alone, NULL)

@@ -1,18 +1,15 @@
 // What the views look like, drawn without a display.
-#include "unit/preview/canvas_leaks.h"
-#include "preview/draw/context/context.h"
+#include "unit/preview/canvas_helpers.h"
 #include "unit/preview/view_helpers.h"
 
 static double mean_brightness(Canvas *canvas)
 {
     size_t count = (size_t)canvas_width(canvas) * (size_t)canvas_height(canvas);
-    uint8_t *bytes = malloc(count * 4);
-    assert_non_null(bytes);
+    uint8_t *bytes = memory(count, 4);
     canvas_read(canvas, bytes);
     double sum = 0;
     for (size_t i = 0; i < count; i++)
         sum += (double)bytes[4 * i] + (double)bytes[4 * i + 1] + (double)bytes[4 * i + 2] - 30.0; // over the background
-    free(bytes);
     return sum / (double)count / 3.0;
 }
 
@@ -20,8 +17,7 @@ static double mean_brightness(Canvas *canvas)
 static void check_plate(Canvas *canvas, const View *view, ViewData *data, Captions *captions)
 {
     size_t at = 4 * (6 * (size_t)canvas_width(canvas) + (size_t)view_area(canvas, view).width + 2);
-    uint8_t *bytes = malloc(4 * (size_t)canvas_width(canvas) * (size_t)canvas_height(canvas));
-    assert_non_null(bytes);
+    uint8_t *bytes = memory((size_t)canvas_width(canvas) * (size_t)canvas_height(canvas), 4);
     for (int old = 0; old < 2; old++) {
         captions->banner_is_old = old;
         view_draw(canvas, view, data, NULL, captions);
@@ -29,7 +25,6 @@ static void check_plate(Canvas *canvas, const View *view, ViewData *data, Captio
         int redder = bytes[at] - bytes[at + 2];
         assert_true(old ? abs(redder) < 20 && bytes[at] > 40 : redder > 60);
     }
-    free(bytes);
 }
 
 // Pixel by pixel, each step has a place in the panel, and none has one over the picture.
@@ -50,15 +45,10 @@ static void check_places(Canvas *canvas, const View *view)
 // Every view at the smallest size; points as bright whether a tenth or all of them is drawn.
 TEST(every_view_draws)
 {
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-    Error error = {""};
-    Context *context = context_create(CONTEXT_ANY, &error);
-    if (!context) {
-        print_message("skipped: %s\n", error.message);
+    start(state);
+    if (!context)
         skip();
-    }
-    Canvas *canvas = canvas_create(context_loader(context), 400, 300, &error);
+    Canvas *canvas = canvas_create(context_loader(context), 400, 300, &said);
     assert_non_null(canvas);
     Scene *scene = scene_from_file("scenes/box_diffuse.yaml");
     ViewData *data = view_data_create(canvas, scene), *empty = view_data_create(canvas, scene);
@@ -97,7 +87,7 @@ TEST(every_view_draws)
     view_data_free(data);
     view_data_free(empty);
     canvas_free(canvas);
-    context_free(context);
+    end(state);
 }
 
 AROUND_TESTS(load_reference_steps, NULL)

@@ -20,11 +20,9 @@ static double density_integral(StepChoice play, bool diffuse)
 
 TEST(densities_add_up)
 {
-    LobeTable *table = malloc(sizeof *table);
-    assert_non_null(table);
+    LobeTable *table = memory(1, sizeof *table);
     lobe_table_fill(table, 20);
     float above = lobe_lookup(table->above, cosf(60 * PI / 180)) * 21 / (2 * PI);
-    free(table);
     StepChoice phong = {GLOSSY_PHONG, false}, source = {GLOSSY_SOURCE_TEXT, false};
     assert_true(fabs(density_integral(phong, false) - (double)above) < 2e-3);
     assert_true(above < 0.999f);

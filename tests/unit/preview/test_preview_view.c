@@ -80,8 +80,7 @@ TEST(cells_hold_every_photon_once)
     assert_non_null(photons);
     for (size_t i = 0; i < recording.count; i++)
         photons[i] = recording.photons[i].at;
-    Error error;
-    PhotonMap *map = photon_map_build(photons, recording.count, &error);
+    PhotonMap *map = photon_map_build(photons, recording.count, &said);
     assert_non_null(map);
     for (int level = 0; level <= tree_depth(map); level++) {
         size_t seen = 0;

@@ -54,7 +54,6 @@ TEST_BOTH_WAYS(a_stage_that_comes_later_is_seen)
 
 TEST(no_folder_is_an_error)
 {
-    Error error = {""};
-    assert_null(watch_start("/no/such/folder", folder, "true", &error));
-    assert_string_equal(error.message, "/no/such/folder: no such folder to watch");
+    assert_null(watch_start("/no/such/folder", folder, "true", &said));
+    assert_string_equal(said.message, "/no/such/folder: no such folder to watch");
 }

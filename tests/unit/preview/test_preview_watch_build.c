@@ -5,13 +5,12 @@
 // A build that failed yesterday.
 static int set_up_behind(void **state)
 {
-    Error error = {""};
     if (set_up(state) != 0)
         return -1;
     watch_stop(watch);
     save(STEP ".c", "wrong"); // newer than its object
     save(NEXT ".c", "new");   // which has none
-    watch = watch_start(path_to(SOURCES, "."), path_to(OBJECTS, "."), command, &error);
+    watch = watch_start(path_to(SOURCES, "."), path_to(OBJECTS, "."), command, &said);
     return watch && access(path_to(OBJECTS, NEXT ".so"), F_OK) != 0 ? 0 : -1;
 }
 

@@ -94,7 +94,6 @@ static const char command[] =
 
 static inline int set_up(void **state)
 {
-    Error error = {""};
     strcpy(folder, "/tmp/photonlab_watch_XXXXXX");
     if (!mkdtemp(folder))
         return -1;
@@ -106,13 +105,12 @@ static inline int set_up(void **state)
         setenv("PHOTONLAB_WATCH", "times", 1);
     else
         unsetenv("PHOTONLAB_WATCH");
-    watch = watch_start(path_to(SOURCES, ""), path_to(OBJECTS, ""), command, &error);
+    watch = watch_start(path_to(SOURCES, ""), path_to(OBJECTS, ""), command, &said);
     return watch ? 0 : -1;
 }
 
-static inline int tear_down(void **state)
+FIXTURE(tear_down)
 {
-    (void)state;
     char line[256];
     watch_stop(watch);
     snprintf(line, sizeof line, "rm -rf %s", folder);

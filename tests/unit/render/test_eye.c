@@ -15,9 +15,7 @@ static Colour look_through(const Scene *scene, RenderOptions options)
     options.threads = 1;
     Image image;
     RenderStats stats;
-    Error error = {""};
-    if (!render_image(scene, &options, &image, &stats, &error))
-        fail_msg("%s", error.message);
+    assert_works(render_image(scene, &options, &image, &stats, &said));
     Colour radiance = *image_at(&image, 0, 0);
     image_free(&image);
     return radiance;

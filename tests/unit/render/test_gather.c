@@ -125,10 +125,9 @@ TEST(a_picture_without_photons_is_dark)
     RenderOptions options = {.integrator = INTEGRATOR_GATHER, .settings = scene->settings, .glass_sides = 2};
     Image image;
     RenderStats stats;
-    Error error = {""};
     options.settings.width = options.settings.height = 2;
     options.settings.photons = 10;
-    assert_true(render_image(scene, &options, &image, &stats, &error));
+    assert_true(render_image(scene, &options, &image, &stats, &said));
     assert_int_equal(stats.photons_stored, 0);
     assert_true(image.pixels[0].r == 0.0f);
     image_free(&image);

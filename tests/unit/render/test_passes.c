@@ -116,9 +116,7 @@ static Image by_passes(const Scene *scene, RenderOptions options, Passes passes)
 {
     Image image = {0};
     RenderStats stats;
-    Error error = {""};
-    if (!passes_run(scene, &options, &passes, &stats, &error) || !passes_picture(&passes, &image, &error))
-        fail_msg("%s", error.message);
+    assert_works(passes_run(scene, &options, &passes, &stats, &said) && passes_picture(&passes, &image, &said));
     passes_free(&passes);
     return image;
 }
@@ -175,14 +173,13 @@ TEST(an_interrupted_picture_has_the_same_bytes)
         int file = mkstemp(path);
         assert_true(file >= 0);
         close(file);
-        Error error = {""};
         RenderStats stats;
         Passes first = {.last = 7, .alpha = ALPHA, .by_pixel = by_pixel, .heard = stop_after_three},
                again = {.alpha = ALPHA};
         PassOrigin origin = {"scene", "settings", "code", 1, 1, 7}, found;
-        assert_true(passes_run(scene, &options, &first, &stats, &error));
+        assert_true(passes_run(scene, &options, &first, &stats, &said));
         assert_int_equal(first.done, 3);
-        assert_true(pass_file_write(path, &origin, &first, &error) && pass_file_read(path, &found, &again, &error));
+        assert_true(pass_file_write(path, &origin, &first, &said) && pass_file_read(path, &found, &again, &said));
         passes_free(&first);
         assert_int_equal(unlink(path), 0);
         assert_memory_equal(&origin.part, &found.part, 3 * sizeof(int));

@@ -20,10 +20,9 @@ FREED_AT_END(own_bvh, Bvh, bvh_free)
 
 static inline Bvh *build(void)
 {
-    Error error = {""};
-    Bvh *bvh = bvh_build(shapes.flats, shapes.flat_count, shapes.spheres, shapes.sphere_count, &error);
+    Bvh *bvh = bvh_build(shapes.flats, shapes.flat_count, shapes.spheres, shapes.sphere_count, &said);
     assert_non_null(bvh);
-    assert_string_equal(error.message, "");
+    assert_string_equal(said.message, "");
     return own_bvh(bvh);
 }
 

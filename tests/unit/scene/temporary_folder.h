@@ -8,15 +8,13 @@
 
 static char temporary[] = "/tmp/photonlab_test_XXXXXX";
 
-static int make_folder(void **state)
+FIXTURE(make_folder)
 {
-    (void)state;
     return mkdtemp(temporary) ? 0 : -1;
 }
 
-static int remove_folder(void **state)
+FIXTURE(remove_folder)
 {
-    (void)state;
     return rmdir(temporary);
 }
 

@@ -12,11 +12,11 @@ static void take(const char *words)
     strncat(told, words, sizeof told - strlen(told) - 1);
 }
 
-static bool export_as(const Scene *scene, const char *name, char path[200], Error *error)
+static bool export_as(const Scene *scene, const char *name, char path[200])
 {
     snprintf(path, 200, "%s/%s", temporary, name);
     told[0] = '\0';
-    return export_write(scene, &scene->settings, path, take, error);
+    return export_write(scene, &scene->settings, path, take, &said);
 }
 
 static Vec3 any_turn(Vec3 direction, Vec3 normal)
@@ -40,10 +40,9 @@ TEST(own_rules_are_refused)
     char path[200];
     for (int i = 0; i < 3; i++)
         for (int format = 0; format < 2; format++) {
-            Error error = {""};
             scene->materials[0].kind = &kinds[i];
-            assert_false(export_as(scene, format ? "a.xml" : "a.pbrt", path, &error));
-            assert_non_null(strstr(error.message, "'white' treats light by a rule of its own"));
+            assert_refused(export_as(scene, format ? "a.xml" : "a.pbrt", path),
+                           "'white' treats light by a rule of its own");
             assert_int_equal(access(path, F_OK), -1);
         }
 }
@@ -62,8 +61,7 @@ TEST(what_differs_is_told)
     Scene *scene = scene_in_folder(text, NULL);
     for (int format = 0; format < 2; format++) {
         char path[200];
-        Error error = {""};
-        assert_true(export_as(scene, format ? "a.pbrt" : "a.xml", path, &error));
+        assert_true(export_as(scene, format ? "a.pbrt" : "a.xml", path));
         for (int i = 0; i < 4; i++)
             if (!strstr(told, words[format][i]))
                 fail_msg("\"%s\" is not told, but: %s", words[format][i], told);
@@ -80,11 +78,10 @@ TEST(a_mesh_of_a_rectangle)
                                      "edge_u: [1, 0, 0], edge_v: [0, 2, 0]}\n",
                         NULL);
     char path[200], mesh[220];
-    Error error = {""};
-    assert_true(export_as(scene, "a.xml", path, &error));
+    assert_true(export_as(scene, "a.xml", path));
     snprintf(mesh, sizeof mesh, "%s/a_1_.._a_b.ply", temporary);
     size_t size;
-    char *bytes = file_read(mesh, 10000, &size, &error);
+    char *bytes = file_read(mesh, 10000, &size, &said);
     assert_non_null(bytes);
     at_end(free, bytes);
     const char *body = strstr(bytes, "end_header\n");

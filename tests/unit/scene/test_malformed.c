@@ -1,6 +1,6 @@
 // Every malformed scene and mesh is refused, at the right place and in the right words, without a crash (run this under
 // sanitizers too). Works from the top folder: tests/malformed/ holds one small file per fault, expected.inc the words.
-#include "scene/scene.h"
+#include "unit/scene/scene_parts.h"
 #include "unit/scene/temporary_folder.h"
 
 #include <dirent.h>
@@ -16,16 +16,14 @@ static const struct {
 };
 enum { FAULTS = sizeof faults / sizeof faults[0] };
 
-static const char camera_and_light[] = "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\n"
-                                       "lights:\n  - {type: point, position: [0, 1, 0], power: [1, 1, 1]}\n";
-
-static bool is_refused(Scene *scene, const Error *error, const char *file, const char *expected)
+static bool is_refused(Scene *scene, const char *file, const char *expected)
 {
-    if (!scene && strstr(error->message, expected) && strstr(error->message, file))
-        return true;
-    print_error("%s: expected '%s', got '%s'\n", file, expected, scene ? "a scene" : error->message);
+    bool right = !scene && strstr(said.message, expected) && strstr(said.message, file);
+    if (!right)
+        print_error("%s: expected '%s', got '%s'\n", file, expected, scene ? "a scene" : said.message);
     scene_free(scene);
-    return false;
+    said = (Error){""};
+    return right;
 }
 
 static bool ends_with(const char *text, const char *end)
@@ -36,9 +34,7 @@ static bool ends_with(const char *text, const char *end)
 
 static bool scene_refused(const char *path, const char *expected)
 {
-    Error error = {""};
-    Scene *scene = scene_load(path, &error);
-    return is_refused(scene, &error, path, expected);
+    return is_refused(scene_load(path, &said), path, expected);
 }
 
 // A mesh is loaded by a scene without a fault.
@@ -46,11 +42,10 @@ static bool mesh_refused(const char *folder, const char *file, const char *expec
 {
     char text[600];
     snprintf(text, sizeof text,
-             "%smaterials:\n  - {name: white, type: mirror}\nshapes:\n  - {type: mesh, file: %s, material: white}\n",
-             camera_and_light, file);
-    Error error = {""};
-    Scene *scene = scene_load_text(text, strlen(text), "scene.yaml", folder, &error);
-    return is_refused(scene, &error, file, expected);
+             CAMERA LIGHT "materials:\n  - {name: white, type: mirror}\n"
+                          "shapes:\n  - {type: mesh, file: %s, material: white}\n",
+             file);
+    return is_refused(scene_load_text(text, strlen(text), "scene.yaml", folder, &said), file, expected);
 }
 
 TEST(test_files)
@@ -90,22 +85,16 @@ static const char *temporary_path(const char *name)
 static char *repeated(const char *head, const char *unit, size_t count, const char *tail)
 {
     size_t length = strlen(unit);
-    char *text = malloc(strlen(head) + count * length + strlen(tail) + 1);
-    assert_non_null(text);
-    char *at = text + sprintf(text, "%s", head);
+    char *text = memory(1, strlen(head) + count * length + strlen(tail) + 1), *at = text + sprintf(text, "%s", head);
     for (size_t i = 0; i < count; i++, at += length)
         memcpy(at, unit, length);
     strcpy(at, tail);
     return text;
 }
 
-static void assert_text_refused(char *text, const char *expected)
+static void assert_text_refused(const char *text, const char *expected)
 {
-    Error error = {""};
-    Scene *scene = scene_load_text(text, strlen(text), "made.yaml", NULL, &error);
-    bool refused = is_refused(scene, &error, "made.yaml", expected);
-    free(text);
-    assert_true(refused);
+    assert_true(is_refused(scene_load_text(text, strlen(text), "made.yaml", NULL, &said), "made.yaml", expected));
 }
 
 TEST(test_no_file)
@@ -122,7 +111,7 @@ TEST(test_unreadable)
     if (geteuid() == 0)
         skip(); // root reads everything
     FILE *file = fopen(temporary_path("secret.yaml"), "w");
-    fputs(camera_and_light, file);
+    fputs(CAMERA LIGHT, file);
     fclose(file);
     chmod(temporary_path("secret.yaml"), 0);
     assert_true(scene_refused(temporary_path("secret.yaml"), "secret.yaml: Permission denied"));
@@ -164,13 +153,9 @@ TEST(test_depth)
 
 TEST(test_too_many)
 {
-    char *materials = repeated(camera_and_light, "", 0, "materials:\n");
-    char *text = repeated(materials, "  - {name: m, type: mirror}\n", 256, "");
-    assert_text_refused(text, "made.yaml:260:5: materials has too many entries; expected at most 255");
-    free(materials);
+    assert_text_refused(repeated(CAMERA LIGHT "materials:\n", "  - {name: m, type: mirror}\n", 256, ""),
+                        "made.yaml:260:5: materials has too many entries; expected at most 255");
     // Every light with a surface takes a material too.
-    materials = repeated("", "", 0, "camera: {position: [0, 0, 3], target: [0, 0, 0], vertical_fov: 40}\nlights:\n");
-    text = repeated(materials, "  - {type: sphere, centre: [0, 0, 0], radius: 1, power: [1, 1, 1]}\n", 256, "");
-    assert_text_refused(text, "made.yaml:258:5: too many materials");
-    free(materials);
+    const char *light = "  - {type: sphere, centre: [0, 0, 0], radius: 1, power: [1, 1, 1]}\n";
+    assert_text_refused(repeated(CAMERA "lights:\n", light, 256, ""), "made.yaml:258:5: too many materials");
 }

@@ -17,13 +17,9 @@ static const char *material_at(const void *unused, size_t i)
 static ObjMesh read_fine(const char *text)
 {
     ObjMesh mesh;
-    Error error = {""};
-    bool read =
-        obj_read_text(text, strlen(text), "test.obj", &(ObjNames){material_at, NULL, "test.yaml"}, &mesh, &error);
-    own_mesh(kept(&mesh, sizeof mesh));
-    if (!read)
-        fail_msg("%s", error.message);
-    return mesh;
+    assert_works(
+        obj_read_text(text, strlen(text), "test.obj", &(ObjNames){material_at, NULL, "test.yaml"}, &mesh, &said));
+    return *own_mesh(kept(&mesh, sizeof mesh));
 }
 
 static void assert_triangle(const ObjMesh *mesh, size_t i, uint32_t a, uint32_t b, uint32_t c)
@@ -128,9 +124,7 @@ TEST(test_numbers)
 TEST(test_many)
 {
     enum { POINTS = 20000 };
-    char *text = malloc(POINTS * 60);
-    assert_non_null(text);
-    char *at = text;
+    char *text = memory(POINTS, 60), *at = text;
     for (int i = 0; i < POINTS; i++)
         at += sprintf(at, "v %d.25 %d 0\n", i, i % 2);
     for (int i = 1; i + 2 <= POINTS; i++)
@@ -140,5 +134,4 @@ TEST(test_many)
     assert_int_equal(mesh.triangle_count, POINTS - 2);
     assert_triangle(&mesh, POINTS - 3, POINTS - 3, POINTS - 2, POINTS - 1);
     assert_true(mesh.points[12345].x == 12345.25f);
-    free(text);
 }
