@@ -21,14 +21,8 @@ typedef struct {
     double share;     // of the rays that get there
 } Station;
 
-#define MATT                                                                                                           \
-    {                                                                                                                  \
-        0.6, 0.4, 0.2                                                                                                  \
-    }
-#define NOTHING                                                                                                        \
-    {                                                                                                                  \
-        0, 0, 0                                                                                                        \
-    }
+#define MATT    {0.6, 0.4, 0.2}
+#define NOTHING {0, 0, 0}
 
 static Station station_of(int number)
 {
