@@ -28,13 +28,18 @@
 
 static const double DEGREES = 57.295779513082321;
 
-// For cmocka's group setup: every test program runs the reference steps.
+// What a test program does first, unless it says something else by AROUND_TESTS, which comes later and wins.
 FIXTURE(load_reference_steps)
 {
     if (steps_load(NULL, &said))
         return 0;
     print_error("%s\n", said.message);
     return -1;
+}
+
+__attribute__((constructor(200))) static void play_reference_steps(void)
+{
+    before_all = load_reference_steps;
 }
 
 static inline void assert_within(double value, double expected, double tolerance, const char *what)

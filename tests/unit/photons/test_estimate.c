@@ -46,5 +46,3 @@ TEST(uniform_photons_give_the_irradiance)
     }
     photon_map_free(map);
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

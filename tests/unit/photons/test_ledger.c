@@ -185,5 +185,3 @@ TEST(cheating_steps_are_noticed)
     }
     steps = honest;
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

@@ -166,5 +166,3 @@ TEST(rainbow_of_textbook_indices)
         assert_true(primary[RED] == 0.0 && primary[GREEN] == 0.0 && primary[BLUE] == 0.0);
     }
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

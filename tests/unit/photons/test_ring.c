@@ -85,5 +85,3 @@ TEST(source_on_the_rim_makes_a_cardioid)
             assert_within(x, 1.0 / 3.0, 0.003, "cusp of the cardioid");
     }
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

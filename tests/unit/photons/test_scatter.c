@@ -92,5 +92,3 @@ TEST(glass_bounce)
         assert_within(angle_between(photon.direction, vec3(0.8f, 0, 0.6f)), 0.0, 1e-4, "totally reflected");
     }
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

@@ -67,5 +67,3 @@ TEST(pairs_of_steps)
     step_choice_print(step_choice_for(started), text, sizeof text);
     assert_string_equal(text, "2.4,1.5");
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

@@ -137,5 +137,3 @@ TEST(three_indices_lie_on_a_curve)
     cauchy_through((const float[3]){1.5f, 1.5f, 1.5f}, &a, &b);
     assert_true(fabs(a - 1.5) < 1e-6 && fabs(b) < 1e-6);
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

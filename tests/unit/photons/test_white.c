@@ -168,5 +168,3 @@ TEST(loop_and_recursion_agree_without_glass)
         }
     }
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

@@ -89,5 +89,3 @@ TEST(every_view_draws)
     canvas_free(canvas);
     end(state);
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

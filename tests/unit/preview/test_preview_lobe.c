@@ -177,5 +177,3 @@ TEST(nothing_and_no_number_are_left_out)
     findings_free(&samples);
     vertices_free(&cloud);
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

@@ -82,5 +82,3 @@ TEST(a_framed_box_just_fits)
         assert_true(most < 1.0 && most > 0.8);
     }
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

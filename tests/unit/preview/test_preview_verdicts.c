@@ -51,5 +51,3 @@ TEST(a_course_of_three_stages_ends_with_its_last_step)
         verdicts.steps[i].state = VERDICT_PASS;
     assert_true(verdicts_all_right(&verdicts));
 }
-
-AROUND_TESTS(NULL, NULL)

@@ -178,5 +178,3 @@ TEST(every_view_is_whole_and_listed)
     }
     closedir(folder);
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

@@ -213,5 +213,3 @@ TEST(a_wrong_estimate_shows)
         assert_colour(wrong, right.r / 0.8, right.g / 0.5, right.b / 0.25, 1e-4, "the right picture over ρ");
     }
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

@@ -132,5 +132,3 @@ TEST(a_picture_without_photons_is_dark)
     assert_true(image.pixels[0].r == 0.0f);
     image_free(&image);
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

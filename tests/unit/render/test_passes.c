@@ -5,8 +5,6 @@
 
 #include <unistd.h>
 
-AROUND_TESTS(load_reference_steps, NULL)
-
 #define ALPHA (2.0f / 3.0f)
 
 // Π (i + α)/(i + 1) over i = 1 … 999 is Γ(1000+α)/(Γ(1+α)·1000!), whose value is 0.110761.

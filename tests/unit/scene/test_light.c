@@ -207,5 +207,3 @@ TEST(power_and_radiance)
     }
     assert_within(angle_between(scene->lights[0].direction, vec3(0, 0, 1)), 0.0, 1e-5, "u x v");
 }
-
-AROUND_TESTS(load_reference_steps, NULL)

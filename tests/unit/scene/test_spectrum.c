@@ -123,5 +123,3 @@ TEST(lamps_by_wavelength)
     assert_colour(colour_sub(lights[2].radiance, light_reflected(&lights[2], colour_grey(1.0f), 1.0f)), 0, 0, 0, 1e-3,
                   "with and without wavelengths, daylight has one colour");
 }
-
-AROUND_TESTS(NULL, NULL)
