@@ -2,7 +2,7 @@
 //
 //   static void plan(Plan *plan) { plan_call(plan, 20000, (double[]){20.0}, 1); }
 //   static void judge(const Results *results, Finding *finding) { … results->cases[0].values … finding_fail(…) … }
-//   {"density", "Directions follow the lobe's density", CHECK_SAMPLES, plan, judge, false}
+//   {"density", "Directions follow the lobe's density", CHECK_SAMPLES, plan, judge}
 //
 // A check says what it found in the student's terms ("expected …, found …"). Two ways to fail:
 //   finding_fail       what right code never does, whatever its random numbers: wrong values, NaN, too long vectors
@@ -111,7 +111,6 @@ typedef struct {
     CheckKind kind;
     void (*plan)(Plan *plan);
     void (*judge)(const Results *results, Finding *finding);
-    bool scene; // all other steps are there, as for paths and pictures; otherwise only `needs` of the step
 } Check;
 
 // The checks of one step.

@@ -22,11 +22,8 @@
     void judge_picture_##set(const Results *results, Finding *finding);                                                \
     void judge_picture_and_v_##set(const Results *results, Finding *finding);
 #include "judge/checks/pictures.def"
-#define PICTURE_CHECK(set, judge)                                                                                      \
-    {                                                                                                                  \
-        "picture", picture_title_##set, CHECK_PICTURE, plan_picture_##set, judge##_##set, true                         \
-    }
-#define PICTURE(set)       PICTURE_CHECK(set, judge_picture)
-#define PICTURE_AND_V(set) PICTURE_CHECK(set, judge_picture_and_v)
+#define PICTURE_CHECK(set, judge) {"picture", picture_title_##set, CHECK_PICTURE, plan_picture_##set, judge##_##set}
+#define PICTURE(set)              PICTURE_CHECK(set, judge_picture)
+#define PICTURE_AND_V(set)        PICTURE_CHECK(set, judge_picture_and_v)
 
 #endif

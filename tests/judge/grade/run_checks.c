@@ -20,10 +20,16 @@ typedef struct {
     size_t first[MOST_CHECKS], of[MOST_CHECKS];
 } Cases;
 
-// Does this check run now?
-static bool runs(const GradeOptions *options, const Check *check, bool scene)
+#define SCENE_STEP(stage, number, ...) #stage "." #number " "
+static const char in_scenes_alone[] =
+#include "steps/steps.def"
+    ;
+
+// Does this check run now? In scenes, as for pictures, all other steps are there; otherwise only `needs` of the step.
+static bool runs(const GradeOptions *options, const StepChecks *checks, const Check *check, bool scene)
 {
-    return check->scene == scene && !(options->no_pictures && check->kind == CHECK_PICTURE);
+    bool in_scene = check->kind == CHECK_PICTURE || step_is_listed(in_scenes_alone, checks->id);
+    return in_scene == scene && !(options->no_pictures && check->kind == CHECK_PICTURE);
 }
 
 static void plan_checks(const GradeOptions *options, const StepChecks *checks, bool scene, int round, Cases *cases)
@@ -32,7 +38,7 @@ static void plan_checks(const GradeOptions *options, const StepChecks *checks, b
     *plan = (Plan){.step = checks->id};
     for (int i = 0; i < *checks->count; i++) {
         const Check *check = &checks->checks[i];
-        if (!runs(options, check, scene))
+        if (!runs(options, checks, check, scene))
             continue;
         plan->first = cases->first[i] = plan->count;
         plan->seed = seed_of(options, checks->id, check, round);
@@ -87,7 +93,7 @@ Status run_checks(const GradeOptions *options, const StepChecks *checks, bool sc
     if (cases.plan.count > 0)
         status = run_probe(options, scene, &cases.plan, numbers, &storage, &crashed, result);
     for (int i = 0; i < *checks->count; i++) {
-        if (!runs(options, &checks->checks[i], scene))
+        if (!runs(options, checks, &checks->checks[i], scene))
             continue;
         CheckResult *check = &result->checks[i];
         bool complete = status == STATUS_PASS || (long)(cases.first[i] + cases.of[i]) <= crashed;

@@ -100,7 +100,7 @@ static void judge_anywhere(const Results *results, Finding *finding)
     finding_feature(finding, beside, 0.0);
 }
 
-DEFINE_CHECKS(reflect, {"table", "Mirror directions worked out by hand", CHECK_VALUES, plan_table, judge_table, false},
+DEFINE_CHECKS(reflect, {"table", "Mirror directions worked out by hand", CHECK_VALUES, plan_table, judge_table},
               {"anywhere", "Length stays, the way along the normal turns round", CHECK_INVARIANT, plan_anywhere,
-               judge_anywhere, false},
+               judge_anywhere},
               PICTURE(1))

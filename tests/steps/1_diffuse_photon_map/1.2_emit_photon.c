@@ -208,8 +208,8 @@ static void judge_direction(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(emit_photon,
-              {"photon", "A white photon with the light's whole power", CHECK_VALUES, plan_photon, judge_photon, false},
-              {"place", "Positions are even over the light", CHECK_SAMPLES, plan_samples, judge_place, false},
+              {"photon", "A white photon with the light's whole power", CHECK_VALUES, plan_photon, judge_photon},
+              {"place", "Positions are even over the light", CHECK_SAMPLES, plan_samples, judge_place},
               {"direction", "Directions follow cosθ/π about the light's normal, wherever the position", CHECK_SAMPLES,
-               plan_samples, judge_direction, false},
+               plan_samples, judge_direction},
               PICTURE(1))

@@ -98,10 +98,8 @@ static void judge_anywhere(const Results *results, Finding *finding)
     mean_feature(&length, 1.0, finding);
 }
 
-DEFINE_CHECKS(scatter_diffuse,
-              {"density", "Directions follow cosθ/π", CHECK_SAMPLES, plan_density, judge_density, false},
-              {"azimuth", "Directions spread evenly all around the normal", CHECK_SAMPLES, plan_azimuth, judge_azimuth,
-               false},
+DEFINE_CHECKS(scatter_diffuse, {"density", "Directions follow cosθ/π", CHECK_SAMPLES, plan_density, judge_density},
+              {"azimuth", "Directions spread evenly all around the normal", CHECK_SAMPLES, plan_azimuth, judge_azimuth},
               {"anywhere", "Directions are unit vectors above the surface, for every normal", CHECK_INVARIANT,
-               plan_anywhere, judge_anywhere, false},
+               plan_anywhere, judge_anywhere},
               PICTURE(1))

@@ -160,8 +160,8 @@ static void judge_edges(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(russian_roulette,
-              {"survival", "A share p survives, with power Φρ/p", CHECK_SAMPLES, plan_survival, judge_survival, false},
-              {"energy", "Survivors carry Φρ on average", CHECK_ENERGY, plan_survival, judge_energy, false},
+              {"survival", "A share p survives, with power Φρ/p", CHECK_SAMPLES, plan_survival, judge_survival},
+              {"energy", "Survivors carry Φρ on average", CHECK_ENERGY, plan_survival, judge_energy},
               {"edges", "White, black and coloured surfaces, and a photon without power", CHECK_VALUES, plan_edges,
-               judge_edges, false},
+               judge_edges},
               PICTURE(1))

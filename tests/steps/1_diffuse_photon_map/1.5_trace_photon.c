@@ -40,12 +40,10 @@ static void judge_glass(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(trace_photon,
               {"stored", "Photons are stored wherever they land, with the power they arrive with", CHECK_SAMPLES,
-               plan_furnace, judge_furnace, true},
-              {"diffuse", "Photons fly on from diffuse surfaces", CHECK_SAMPLES, plan_spot, judge_spot, true},
-              {"glossy", "Photons fly on from glossy surfaces", CHECK_SAMPLES, plan_glossy_spot, judge_glossy_spot,
-               true},
+               plan_furnace, judge_furnace},
+              {"diffuse", "Photons fly on from diffuse surfaces", CHECK_SAMPLES, plan_spot, judge_spot},
+              {"glossy", "Photons fly on from glossy surfaces", CHECK_SAMPLES, plan_glossy_spot, judge_glossy_spot},
               {"mirror", "Photons fly on from mirrors, and leave nothing there", CHECK_SAMPLES, plan_mirrors,
-               judge_mirrors, true},
-              {"glass", "Photons fly on from glass, and leave nothing there", CHECK_SAMPLES, plan_glass, judge_glass,
-               true},
-              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room, true}, PICTURE(1))
+               judge_mirrors},
+              {"glass", "Photons fly on from glass, and leave nothing there", CHECK_SAMPLES, plan_glass, judge_glass},
+              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room}, PICTURE(1))

@@ -224,5 +224,5 @@ static void judge_values(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(estimate_radiance,
               {"values", "Radiance from given photons, against a sum over all of them", CHECK_VALUES, plan_values,
-               judge_values, false},
+               judge_values},
               PICTURE_AND_V(1))

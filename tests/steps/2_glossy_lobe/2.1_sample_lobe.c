@@ -94,7 +94,6 @@ static void judge_sharp(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(sample_lobe,
-              {"density", "Directions follow the lobe's density", CHECK_SAMPLES, plan_density, judge_density, false},
-              {"azimuth", "Directions spread evenly all around +z", CHECK_SAMPLES, plan_azimuth, judge_azimuth, false},
-              {"sharp", "Very sharp lobes keep their width", CHECK_VALUES, plan_sharp, judge_sharp, false},
-              PICTURE(2_phong))
+              {"density", "Directions follow the lobe's density", CHECK_SAMPLES, plan_density, judge_density},
+              {"azimuth", "Directions spread evenly all around +z", CHECK_SAMPLES, plan_azimuth, judge_azimuth},
+              {"sharp", "Very sharp lobes keep their width", CHECK_VALUES, plan_sharp, judge_sharp}, PICTURE(2_phong))

@@ -120,8 +120,7 @@ static void judge_tilt(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(turn_to, {"pole", "+z goes to the axis", CHECK_VALUES, plan_pole, judge_pole, false},
-              {"angles", "Lengths and angles stay", CHECK_INVARIANT, plan_angles, judge_angles, false},
-              {"tilt", "The angle to +z becomes the angle to the axis", CHECK_INVARIANT, plan_angles, judge_tilt,
-               false},
+DEFINE_CHECKS(turn_to, {"pole", "+z goes to the axis", CHECK_VALUES, plan_pole, judge_pole},
+              {"angles", "Lengths and angles stay", CHECK_INVARIANT, plan_angles, judge_angles},
+              {"tilt", "The angle to +z becomes the angle to the axis", CHECK_INVARIANT, plan_angles, judge_tilt},
               PICTURE(2_phong))

@@ -148,8 +148,9 @@ static void judge_cap(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(
-    scatter_glossy_source_text,
-    {"density", "Directions follow the source text's gap and lobe", CHECK_SAMPLES, plan_glossy, judge_density, false},
-    {"flux", "Every photon goes on above the surface, weight 1", CHECK_ENERGY, plan_glossy, judge_flux, false},
-    {"cap", "It gives up after 1000 redraws, and says so", CHECK_SAMPLES, plan_cap, judge_cap, false}, PICTURE(2_source))
+DEFINE_CHECKS(scatter_glossy_source_text,
+              {"density", "Directions follow the source text's gap and lobe", CHECK_SAMPLES, plan_glossy,
+               judge_density},
+              {"flux", "Every photon goes on above the surface, weight 1", CHECK_ENERGY, plan_glossy, judge_flux},
+              {"cap", "It gives up after 1000 redraws, and says so", CHECK_SAMPLES, plan_cap, judge_cap},
+              PICTURE(2_source))

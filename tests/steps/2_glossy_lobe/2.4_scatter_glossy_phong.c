@@ -98,8 +98,8 @@ static void judge_albedo(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(scatter_glossy_phong,
               {"density", "Directions follow the lobe, absorbed below the surface", CHECK_SAMPLES, plan_glossy,
-               judge_density, false},
-              {"weight", "Each weight is (n+2)/(n+1)·cosθ_o", CHECK_VALUES, plan_glossy, judge_weight, false},
+               judge_density},
+              {"weight", "Each weight is (n+2)/(n+1)·cosθ_o", CHECK_VALUES, plan_glossy, judge_weight},
               {"albedo", "The lobe reflects as much as the modified Phong BRDF", CHECK_ENERGY, plan_glossy,
-               judge_albedo, false},
+               judge_albedo},
               PICTURE(2_phong))

@@ -140,5 +140,4 @@ static void judge_snell(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(refract, {"snell", "Directions follow Snell's law", CHECK_VALUES, plan_snell, judge_snell, false},
-              PICTURE(3))
+DEFINE_CHECKS(refract, {"snell", "Directions follow Snell's law", CHECK_VALUES, plan_snell, judge_snell}, PICTURE(3))

@@ -91,8 +91,6 @@ static void judge_anywhere(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(fresnel,
-              {"table", "The share reflected, over indices and angles", CHECK_VALUES, plan_table, judge_table, false},
-              {"anywhere", "The share reflected, for any index and angle", CHECK_VALUES, plan_anywhere, judge_anywhere,
-               false},
+DEFINE_CHECKS(fresnel, {"table", "The share reflected, over indices and angles", CHECK_VALUES, plan_table, judge_table},
+              {"anywhere", "The share reflected, for any index and angle", CHECK_VALUES, plan_anywhere, judge_anywhere},
               PICTURE(3))

@@ -48,5 +48,5 @@ static void judge_table(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(refractive_index,
-              {"table", "Each colour's index, and the mean for white", CHECK_VALUES, plan_table, judge_table, false},
+              {"table", "Each colour's index, and the mean for white", CHECK_VALUES, plan_table, judge_table},
               PICTURE(3))

@@ -175,13 +175,12 @@ static void judge_slab(const Results *results, Finding *finding)
 
 DEFINE_CHECKS(trace_photon_in_colour,
               {"stored", "Photons are stored wherever they land, with the power they arrive with", CHECK_SAMPLES,
-               plan_furnace, judge_furnace, true},
-              {"diffuse", "Photons fly on from diffuse surfaces", CHECK_SAMPLES, plan_spot, judge_spot, true},
-              {"glossy", "Photons fly on from glossy surfaces", CHECK_SAMPLES, plan_glossy_spot, judge_glossy_spot,
-               true},
+               plan_furnace, judge_furnace},
+              {"diffuse", "Photons fly on from diffuse surfaces", CHECK_SAMPLES, plan_spot, judge_spot},
+              {"glossy", "Photons fly on from glossy surfaces", CHECK_SAMPLES, plan_glossy_spot, judge_glossy_spot},
               {"mirror", "Photons fly on from mirrors, and leave nothing there", CHECK_SAMPLES, plan_mirrors,
-               judge_mirrors, true},
-              {"entering", "White light splits as it enters glass", CHECK_SAMPLES, plan_entering, judge_entering, true},
-              {"leaving", "Glass reflects totally, colour by colour", CHECK_SAMPLES, plan_leaving, judge_leaving, true},
-              {"slab", "Coloured photons keep their colour", CHECK_SAMPLES, plan_slab, judge_slab, true},
-              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room, true}, PICTURE(3))
+               judge_mirrors},
+              {"entering", "White light splits as it enters glass", CHECK_SAMPLES, plan_entering, judge_entering},
+              {"leaving", "Glass reflects totally, colour by colour", CHECK_SAMPLES, plan_leaving, judge_leaving},
+              {"slab", "Coloured photons keep their colour", CHECK_SAMPLES, plan_slab, judge_slab},
+              {"energy", "No energy is lost or made", CHECK_ENERGY, plan_room, judge_room}, PICTURE(3))

@@ -129,6 +129,5 @@ static void judge_split(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(split_colour,
-              {"split", "White splits once, into one photon of each colour", CHECK_VALUES, plan_split, judge_split,
-               false},
+              {"split", "White splits once, into one photon of each colour", CHECK_VALUES, plan_split, judge_split},
               PICTURE(3))

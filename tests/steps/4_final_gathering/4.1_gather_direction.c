@@ -163,6 +163,6 @@ static void judge_draws(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(gather_direction,
-              {"cells", "Each direction is a unit vector in its cell", CHECK_VALUES, plan_cells, judge_cells, false},
-              {"within", "Directions spread evenly over their cell", CHECK_SAMPLES, plan_within, judge_within, false},
-              {"draws", "Two random numbers are drawn", CHECK_INVARIANT, plan_draws, judge_draws, false}, PICTURE(4))
+              {"cells", "Each direction is a unit vector in its cell", CHECK_VALUES, plan_cells, judge_cells},
+              {"within", "Directions spread evenly over their cell", CHECK_SAMPLES, plan_within, judge_within},
+              {"draws", "Two random numbers are drawn", CHECK_INVARIANT, plan_draws, judge_draws}, PICTURE(4))

@@ -202,8 +202,8 @@ PLAN_AND_JUDGE(dark, DARK)
 PLAN_AND_JUDGE(glass, GLASS)
 
 DEFINE_CHECKS(gather_radiance,
-              {"rough", "The light that leaves a rough surface", CHECK_VALUES, plan_rough, judge_rough, false},
-              {"mirror", "On along mirrors, whose colour it takes", CHECK_VALUES, plan_mirror, judge_mirror, false},
-              {"dark", "Lamps and the open bring nothing, nor do lamps in mirrors", CHECK_VALUES, plan_dark, judge_dark,
-               false},
-              {"glass", "On through glass or back from it", CHECK_SAMPLES, plan_glass, judge_glass, false}, PICTURE(4))
+              {"rough", "The light that leaves a rough surface", CHECK_VALUES, plan_rough, judge_rough},
+              {"mirror", "On along mirrors, whose colour it takes", CHECK_VALUES, plan_mirror, judge_mirror},
+              {"dark", "Lamps and the open bring nothing, nor do lamps in mirrors", CHECK_VALUES, plan_dark,
+               judge_dark},
+              {"glass", "On through glass or back from it", CHECK_SAMPLES, plan_glass, judge_glass}, PICTURE(4))

@@ -262,9 +262,7 @@ static void judge_random(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(gather_hemisphere,
-              {"uniform", "Where all surroundings send L, irradiance is πL", CHECK_VALUES, plan_uniform, judge_uniform,
-               false},
+              {"uniform", "Where all surroundings send L, irradiance is πL", CHECK_VALUES, plan_uniform, judge_uniform},
               {"cells", "Each cell has what its own ray brought, and how far it flew", CHECK_VALUES, plan_cells,
-               judge_cells, false},
-              {"random", "Rays follow the random numbers", CHECK_INVARIANT, plan_cells, judge_random, false},
-              PICTURE(4))
+               judge_cells},
+              {"random", "Rays follow the random numbers", CHECK_INVARIANT, plan_cells, judge_random}, PICTURE(4))

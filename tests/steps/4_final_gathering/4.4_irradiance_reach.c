@@ -80,6 +80,5 @@ static void judge_reach(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(irradiance_reach,
-              {"reach", "The harmonic mean of the distances, within its bounds", CHECK_VALUES, plan_reach, judge_reach,
-               false},
+              {"reach", "The harmonic mean of the distances, within its bounds", CHECK_VALUES, plan_reach, judge_reach},
               PICTURE(4))

@@ -243,5 +243,5 @@ static void judge_mean(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(interpolate_irradiance,
-              {"mean", "The mean of the estimates that serve at a place", CHECK_VALUES, plan_mean, judge_mean, false},
+              {"mean", "The mean of the estimates that serve at a place", CHECK_VALUES, plan_mean, judge_mean},
               PICTURE(4))

@@ -51,5 +51,5 @@ static void judge_radius(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(next_radius, {"radius", "The radius of the next pass", CHECK_VALUES, plan_radius, judge_radius, false},
+DEFINE_CHECKS(next_radius, {"radius", "The radius of the next pass", CHECK_VALUES, plan_radius, judge_radius},
               PICTURE_AND_V(5_pass))

@@ -72,5 +72,5 @@ static void judge_mean(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(join_means, {"mean", "The mean over all passes", CHECK_VALUES, plan_mean, judge_mean, false},
+DEFINE_CHECKS(join_means, {"mean", "The mean over all passes", CHECK_VALUES, plan_mean, judge_mean},
               PICTURE_AND_V(5_pass))

@@ -103,6 +103,5 @@ static void judge_statistics(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(add_photons,
-              {"statistics", "Count, radius and flux after a pass", CHECK_VALUES, plan_statistics, judge_statistics,
-               false},
+              {"statistics", "Count, radius and flux after a pass", CHECK_VALUES, plan_statistics, judge_statistics},
               PICTURE(5_pixel))

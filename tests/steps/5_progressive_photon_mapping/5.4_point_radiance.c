@@ -60,6 +60,5 @@ static void judge_radiance(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(point_radiance,
-              {"radiance", "Radiance by the statistics", CHECK_VALUES, plan_radiance, judge_radiance, false},
+DEFINE_CHECKS(point_radiance, {"radiance", "Radiance by the statistics", CHECK_VALUES, plan_radiance, judge_radiance},
               PICTURE(5_pixel))

@@ -62,5 +62,5 @@ static void judge_index(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(index_at_wavelength,
-              {"index", "Real glasses and made-up ones", CHECK_VALUES, plan_index, judge_index, false}, PICTURE(6))
+DEFINE_CHECKS(index_at_wavelength, {"index", "Real glasses and made-up ones", CHECK_VALUES, plan_index, judge_index},
+              PICTURE(6))

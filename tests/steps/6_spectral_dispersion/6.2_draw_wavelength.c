@@ -48,5 +48,5 @@ static void judge_draws(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(draw_wavelength,
-              {"draws", "Wavelengths and weights over u", CHECK_VALUES, plan_draws, judge_draws, false}, PICTURE(6))
+DEFINE_CHECKS(draw_wavelength, {"draws", "Wavelengths and weights over u", CHECK_VALUES, plan_draws, judge_draws},
+              PICTURE(6))

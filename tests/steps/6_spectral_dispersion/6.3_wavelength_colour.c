@@ -59,5 +59,5 @@ static void judge_colours(const Results *results, Finding *finding)
         finding_feature(finding, sum[c] / (WAVELENGTHS - 1) - 1.0, 0.0);
 }
 
-DEFINE_CHECKS(wavelength_colour,
-              {"colours", "The colours of the spectrum", CHECK_VALUES, plan_colours, judge_colours, false}, PICTURE(6))
+DEFINE_CHECKS(wavelength_colour, {"colours", "The colours of the spectrum", CHECK_VALUES, plan_colours, judge_colours},
+              PICTURE(6))

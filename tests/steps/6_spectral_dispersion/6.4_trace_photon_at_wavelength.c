@@ -72,7 +72,6 @@ static void judge_mirror(const Results *results, Finding *finding)
 }
 
 DEFINE_CHECKS(trace_photon_at_wavelength,
-              {"slab", "Through a slab, and on from a red screen", CHECK_SAMPLES, plan_slab, judge_slab, true},
-              {"mirror", "From a mirror to a screen, and on to the wall", CHECK_SAMPLES, plan_mirror, judge_mirror,
-               true},
+              {"slab", "Through a slab, and on from a red screen", CHECK_SAMPLES, plan_slab, judge_slab},
+              {"mirror", "From a mirror to a screen, and on to the wall", CHECK_SAMPLES, plan_mirror, judge_mirror},
               PICTURE(6))
