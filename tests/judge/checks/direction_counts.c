@@ -9,16 +9,14 @@
 
 static const double pi = 3.14159265358979323846;
 
-void directions_begin(DirectionCount *count, const DirectionDensity *density)
+double lambert(Vec3d d, const void *normal)
 {
-    *count = (DirectionCount){.density = *density};
-    vec3d_frame(density->axis, &count->tangent, &count->bitangent);
+    return fmax(0.0, vec3d_dot(d, *(const Vec3d *)normal));
 }
 
-static int cosine_bin(const DirectionDensity *density, double cosine)
+static int cosine_bin(double cosine)
 {
-    double place = density->sphere ? 0.5 * (cosine + 1.0) : cosine;
-    return (int)fmin(fmax(place, 0.0) * COSINES, COSINES - 1);
+    return (int)fmin(fmax(0.5 * (cosine + 1.0), 0.0) * COSINES, COSINES - 1);
 }
 
 static int row_of(const DirectionDensity *density, double cosine)
@@ -36,7 +34,7 @@ void directions_add(DirectionCount *count, const float *direction)
     double turn = atan2(up, across) / (2.0 * pi) + 0.5;
     int column = (int)fmin(turn * COLUMNS, COLUMNS - 1);
     count->observed[row_of(&count->density, along) * COLUMNS + column]++;
-    count->cosines[cosine_bin(&count->density, along)]++;
+    count->cosines[cosine_bin(along)]++;
     sums_add(&count->along, along);
     sums_add(&count->across, across);
     sums_add(&count->up, up);
@@ -45,33 +43,36 @@ void directions_add(DirectionCount *count, const float *direction)
 }
 
 // One ring of points: cosine and solid angle per azimuth point.
-static void expect_ring(const DirectionCount *count, int row, double cosine, double measure, DirectionExpectation *e)
+static void expect_ring(DirectionCount *count, int row, double cosine, double measure)
 {
+    DirectionExpectation *e = &count->expected;
     const DirectionDensity *density = &count->density;
     for (int i = 0; i < COLUMNS * FINE; i++) {
         double azimuth = ((i + 0.5) / (COLUMNS * FINE) - 0.5) * 2.0 * pi;
         Vec3d d = vec3d_about(density->axis, count->tangent, count->bitangent, cosine, azimuth);
         double share = measure * density->density(d, density->input);
         e->share[row * COLUMNS + i / FINE] += share;
-        e->cosines[cosine_bin(density, cosine)] += share;
+        e->cosines[cosine_bin(cosine)] += share;
         e->along += share * cosine;
         e->across += share * vec3d_dot(d, count->tangent);
         e->up += share * vec3d_dot(d, count->bitangent);
     }
 }
 
-void directions_expect(const DirectionCount *count, DirectionExpectation *expected)
+void directions_begin(DirectionCount *count, const DirectionDensity *density)
 {
-    *expected = (DirectionExpectation){{0}, {0}, 0, 0, 0};
-    double power = count->density.power, sum = 0.0;
+    *count = (DirectionCount){.density = *density};
+    vec3d_frame(density->axis, &count->tangent, &count->bitangent);
+    DirectionExpectation *expected = &count->expected;
+    double power = density->power, sum = 0.0;
     for (int i = 0; i < ROWS * FINE; i++) { // cos = x^(1/power), d cos = cos/(power·x) dx
         double x = (i + 0.5) / (ROWS * FINE);
         double cosine = pow(x, 1.0 / power);
-        expect_ring(count, i / FINE, cosine, cosine / (power * x * ROWS * FINE), expected);
+        expect_ring(count, i / FINE, cosine, cosine / (power * x * ROWS * FINE));
     }
-    for (int i = 0; count->density.sphere && i < BACK_ROWS * FINE; i++) {
+    for (int i = 0; i < BACK_ROWS * FINE; i++) {
         double x = (i + 0.5) / (BACK_ROWS * FINE);
-        expect_ring(count, ROWS + i / FINE, -x, 1.0 / (BACK_ROWS * FINE), expected);
+        expect_ring(count, ROWS + i / FINE, -x, 1.0 / (BACK_ROWS * FINE));
     }
     for (int i = 0; i < CELLS; i++)
         sum += expected->share[i];
@@ -86,8 +87,9 @@ void directions_expect(const DirectionCount *count, DirectionExpectation *expect
 
 // A cell of which the surface leaves a sliver may have a share of 0 by its points and still a sample: the rare ones are
 // taken together, with the commonest if they are too few by themselves.
-double directions_p(const DirectionCount *count, const DirectionExpectation *expected)
+double directions_p(const DirectionCount *count)
 {
+    const DirectionExpectation *expected = &count->expected;
     double observed[CELLS + 1], wanted[CELLS + 1], total = count->along.count;
     int cells = 0, largest = 0;
     double rare = 0.0, rare_wanted = 0.0;
@@ -126,21 +128,20 @@ void vector_features(const float *found, Vec3d expected, Finding *finding)
     finding_feature(finding, found ? (double)found[2] - expected.z : (double)NAN, 0.0);
 }
 
-void directions_features(const DirectionCount *count, const DirectionExpectation *expected, Finding *finding)
+void directions_features(const DirectionCount *count, Finding *finding)
 {
-    mean_feature(&count->along, expected->along, finding);
-    mean_feature(&count->across, expected->across, finding);
-    mean_feature(&count->up, expected->up, finding);
+    mean_feature(&count->along, count->expected.along, finding);
+    mean_feature(&count->across, count->expected.across, finding);
+    mean_feature(&count->up, count->expected.up, finding);
     finding_feature(finding, sums_mean(&count->repeated), 0.1);
 }
 
-void directions_histogram(const DirectionCount *count, const DirectionExpectation *expected, const char *title,
-                          Finding *finding)
+void directions_histogram(const DirectionCount *count, const char *title, Finding *finding)
 {
     double wanted[COSINES];
     for (int i = 0; i < COSINES; i++)
-        wanted[i] = expected->cosines[i] * count->along.count;
-    finding_histogram(finding, title, count->density.sphere ? -1.0 : 0.0, 1.0, count->cosines, wanted, COSINES);
+        wanted[i] = count->expected.cosines[i] * count->along.count;
+    finding_histogram(finding, title, -1.0, 1.0, count->cosines, wanted, COSINES);
 }
 
 // I(x; a, b), regularised. Underflow is a 0 like any other.

@@ -92,18 +92,24 @@ const char *text_of_power(Vec3d v); // the same, however small
 #define BACK_ROWS 4  // rings behind it, evenly in cos
 #define COLUMNS   20 // azimuths
 #define CELLS     ((ROWS + BACK_ROWS) * COLUMNS)
-#define COSINES   40 // bins of the histogram of cosines, from −1 or 0 to 1
+#define COSINES   40 // bins of the histogram of cosines, from −1 to 1
 
 typedef struct {
     Vec3d axis;                                            // unit
     double power;                                          // n+1 for a lobe cosⁿ about the axis, 2 for Lambert
-    bool sphere;                                           // both sides of the axis have directions
     double (*density)(Vec3d direction, const void *input); // per steradian, of any scale, 0 where none belong
     const void *input;
 } DirectionDensity;
+double lambert(Vec3d direction, const void *normal); // a density; `normal` is a Vec3d
+
+// What the density gives, its scale taken out.
+typedef struct {
+    double share[CELLS], cosines[COSINES], along, across, up;
+} DirectionExpectation;
 
 typedef struct {
     DirectionDensity density;
+    DirectionExpectation expected;
     Vec3d tangent, bitangent;
     double observed[CELLS], cosines[COSINES];
     Sums along, across, up; // components along axis, tangent, bitangent
@@ -114,21 +120,14 @@ typedef struct {
 void directions_begin(DirectionCount *count, const DirectionDensity *density);
 void directions_add(DirectionCount *count, const float *direction); // of any length but 0
 
-// What the density gives, its scale taken out.
-typedef struct {
-    double share[CELLS], cosines[COSINES], along, across, up;
-} DirectionExpectation;
-void directions_expect(const DirectionCount *count, DirectionExpectation *expected);
-
 // p-value of the counts; 1 when nothing was counted. Cells that expect fewer than 5 are taken together, with those that
 // expect nothing.
-double directions_p(const DirectionCount *count, const DirectionExpectation *expected);
+double directions_p(const DirectionCount *count);
 
 // Four features: means along axis, tangent and bitangent, less the expected; the share that are the same as the one before.
-void directions_features(const DirectionCount *count, const DirectionExpectation *expected, Finding *finding);
+void directions_features(const DirectionCount *count, Finding *finding);
 
-void directions_histogram(const DirectionCount *count, const DirectionExpectation *expected, const char *title,
-                          Finding *finding);
+void directions_histogram(const DirectionCount *count, const char *title, Finding *finding);
 
 // ---- very many samples of density cos/π about +z, in fine cells (fine_cells.c) ----
 

@@ -151,11 +151,6 @@ static void judge_place(const Results *results, Finding *finding)
     }
 }
 
-static double lambert(Vec3d d, const void *normal)
-{
-    return fmax(0.0, vec3d_dot(d, *(const Vec3d *)normal));
-}
-
 #define COARSE (3 * 3 * 2 * 4) // cells of place and direction together
 
 // Two numbers from the stream used twice tie the direction to the place.
@@ -174,9 +169,7 @@ static void judge_direction(const Results *results, Finding *finding)
         double joint[COARSE] = {0}, even[COARSE];
         Sums with_u = {0, 0, 0}, with_v = {0, 0, 0};
         DirectionCount count;
-        DirectionExpectation expected;
-        directions_begin(&count, &(DirectionDensity){l.direction, 2.0, true, lambert, &l.direction});
-        directions_expect(&count, &expected);
+        directions_begin(&count, &(DirectionDensity){l.direction, 2.0, lambert, &l.direction});
         const float *photon = numbers_of(results, (size_t)i, FLOATS * SAMPLES, finding);
         for (long s = 0; photon && s < SAMPLES; s++, photon += FLOATS) {
             if (!direction_is_above(photon + 3, l.direction, l.inputs, i, finding) ||
@@ -191,19 +184,19 @@ static void judge_direction(const Results *results, Finding *finding)
         for (int b = 0; b < COARSE; b++)
             even[b] = count.along.count / COARSE;
         finding_p(
-            finding, directions_p(&count, &expected), i,
+            finding, directions_p(&count), i,
             "expected directions of density cosθ/π about the light's normal; the mean of cosθ should be %.4f, found "
             "%.4f, and the mean across the normal (0, 0), found (%.4f, %.4f), for %s",
-            expected.along, sums_mean(&count.along), sums_mean(&count.across), sums_mean(&count.up), l.inputs);
+            count.expected.along, sums_mean(&count.along), sums_mean(&count.across), sums_mean(&count.up), l.inputs);
         finding_p(finding, count.along.count > 0.0 ? chi_square_p(joint, even, COARSE) : 1.0, i,
                   "expected directions that do not depend on the position; found that they do, for %s: "
                   "is a random number used twice?",
                   l.inputs);
-        directions_features(&count, &expected, finding);
+        directions_features(&count, finding);
         mean_feature(&with_u, 0.0, finding);
         mean_feature(&with_v, 0.0, finding);
         if (i == 1)
-            directions_histogram(&count, &expected, "cosθ of photons to the light's normal", finding);
+            directions_histogram(&count, "cosθ of photons to the light's normal", finding);
     }
 }
 

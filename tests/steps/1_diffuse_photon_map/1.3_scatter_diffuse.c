@@ -36,32 +36,25 @@ static void plan_density(Plan *plan)
         plan_normal(plan, i, SAMPLES);
 }
 
-static double lambert(Vec3d d, const void *normal)
-{
-    return fmax(0.0, vec3d_dot(d, *(const Vec3d *)normal));
-}
-
 static void judge_density(const Results *results, Finding *finding)
 {
     for (int i = 0; i < NORMALS; i++) {
         Vec3d normal = vec3d_unit(normal_of(i, results->seed));
         const char *inputs = inputs_of(normal);
         DirectionCount count;
-        DirectionExpectation expected;
-        directions_begin(&count, &(DirectionDensity){normal, 2.0, true, lambert, &normal});
-        directions_expect(&count, &expected);
+        directions_begin(&count, &(DirectionDensity){normal, 2.0, lambert, &normal});
         const float *d = numbers_of(results, (size_t)i, 3 * SAMPLES, finding);
         for (long s = 0; d && s < SAMPLES; s++, d += 3)
             if (direction_is_above(d, normal, inputs, i, finding))
                 directions_add(&count, d);
         finding_p(
-            finding, directions_p(&count, &expected), i,
+            finding, directions_p(&count), i,
             "expected directions of density cosθ/π; for %s the mean of cosθ should be %.4f, found %.4f, and the mean "
             "across the normal (0, 0), found (%.4f, %.4f)",
-            inputs, expected.along, sums_mean(&count.along), sums_mean(&count.across), sums_mean(&count.up));
-        directions_features(&count, &expected, finding);
+            inputs, count.expected.along, sums_mean(&count.along), sums_mean(&count.across), sums_mean(&count.up));
+        directions_features(&count, finding);
         if (i == 4)
-            directions_histogram(&count, &expected, "cosθ of diffuse directions, n = (0.48, -0.64, 0.6)", finding);
+            directions_histogram(&count, "cosθ of diffuse directions, n = (0.48, -0.64, 0.6)", finding);
     }
 }
 

@@ -26,9 +26,7 @@ static void judge_density(const Results *results, Finding *finding)
         char inputs[40];
         snprintf(inputs, sizeof inputs, "n = %g", exponents[i]);
         DirectionCount count;
-        DirectionExpectation expected;
-        directions_begin(&count, &(DirectionDensity){up, exponents[i] + 1.0, true, lobe, &exponents[i]});
-        directions_expect(&count, &expected);
+        directions_begin(&count, &(DirectionDensity){up, exponents[i] + 1.0, lobe, &exponents[i]});
         Sums below = {0, 0, 0}, x = {0, 0, 0}, y = {0, 0, 0};
         const float *d = numbers_of(results, (size_t)i, 3 * SAMPLES, finding);
         for (long s = 0; d && s < SAMPLES; s++, d += 3) {
@@ -39,14 +37,14 @@ static void judge_density(const Results *results, Finding *finding)
                 directions_add(&count, d);
         }
         finding_p(
-            finding, directions_p(&count, &expected), i,
+            finding, directions_p(&count), i,
             "expected directions of density (n+1)/(2π)·cosⁿα about +z; for %s the mean of cosα should be %.4f, found "
             "%.4f, and the means of x and y 0 and 0, found %.4f and %.4f",
             inputs, (exponents[i] + 1.0) / (exponents[i] + 2.0), sums_mean(&count.along), sums_mean(&x), sums_mean(&y));
-        directions_features(&count, &expected, finding);
+        directions_features(&count, finding);
         mean_feature(&below, 0.0, finding);
         if (i == 3)
-            directions_histogram(&count, &expected, "cosα of lobe directions, n = 20", finding);
+            directions_histogram(&count, "cosα of lobe directions, n = 20", finding);
     }
 }
 

@@ -20,9 +20,7 @@ static void judge_density(const Results *results, Finding *finding)
         GlossyCase c = glossy_case(i);
         double gap = 0.5 * (1.0 - c.cos_in);
         DirectionCount count;
-        DirectionExpectation expected;
-        directions_begin(&count, &(DirectionDensity){c.mirror, c.exponent + 1.0, true, gap_and_lobe, &c});
-        directions_expect(&count, &expected);
+        directions_begin(&count, &(DirectionDensity){c.mirror, c.exponent + 1.0, gap_and_lobe, &c});
         Sums behind = {0, 0, 0};
         const float *result = numbers_of(results, (size_t)i, SOURCE_FLOATS * GLOSSY_SAMPLES, finding);
         for (long s = 0; result && s < GLOSSY_SAMPLES; s++, result += SOURCE_FLOATS) {
@@ -32,14 +30,14 @@ static void judge_density(const Results *results, Finding *finding)
             sums_add(&behind, vec3d_dot(vec3d_of(result + 1), c.mirror) <= 0.0);
         }
         finding_p(
-            finding, directions_p(&count, &expected), i,
+            finding, directions_p(&count), i,
             "expected directions of the density in the contract; for %s a share (1 − cosθ)/2 = %.4f should be diffuse "
             "at 90° or more from the mirror direction, found %.4f, and the mean of cosα be %.4f, found %.4f",
-            c.inputs, gap, sums_mean(&behind), expected.along, sums_mean(&count.along));
-        directions_features(&count, &expected, finding);
+            c.inputs, gap, sums_mean(&behind), count.expected.along, sums_mean(&count.along));
+        directions_features(&count, finding);
         mean_feature(&behind, gap, finding);
         if (i == 6)
-            directions_histogram(&count, &expected, "cosα to the mirror direction, n = 20 at 60°", finding);
+            directions_histogram(&count, "cosα to the mirror direction, n = 20 at 60°", finding);
     }
 }
 

@@ -26,9 +26,7 @@ static void judge_density(const Results *results, Finding *finding)
     for (int i = 0; i < GLOSSY_CASES; i++) {
         GlossyCase c = glossy_case(i);
         DirectionCount count;
-        DirectionExpectation expected;
-        directions_begin(&count, &(DirectionDensity){c.mirror, c.exponent + 1.0, true, glossy_lobe, &c});
-        directions_expect(&count, &expected);
+        directions_begin(&count, &(DirectionDensity){c.mirror, c.exponent + 1.0, glossy_lobe, &c});
         Sums absorbed = {0, 0, 0}, below = {0, 0, 0};
         const float *result = numbers_of(results, (size_t)i, PHONG_FLOATS * GLOSSY_SAMPLES, finding);
         for (long s = 0; result && s < GLOSSY_SAMPLES; s++, result += PHONG_FLOATS) {
@@ -39,17 +37,17 @@ static void judge_density(const Results *results, Finding *finding)
             sums_add(&below, vec3d_dot(vec3d_of(result + 1), c.normal) < -1e-4);
         }
         finding_p(
-            finding, directions_p(&count, &expected), i,
+            finding, directions_p(&count), i,
             "expected directions of density cosⁿα about the mirror direction, above the surface; for %s the mean of "
             "cosα should be %.4f, found %.4f",
-            c.inputs, expected.along, sums_mean(&count.along));
+            c.inputs, count.expected.along, sums_mean(&count.along));
         if (absorbed.count > 0.0)
             judge_absorbed(&c, &absorbed, i, finding);
-        directions_features(&count, &expected, finding);
+        directions_features(&count, finding);
         mean_feature(&absorbed, absorbed_share(&c), finding);
         mean_feature(&below, 0.0, finding);
         if (i == 6)
-            directions_histogram(&count, &expected, "cosα to the mirror direction, n = 20 at 60°", finding);
+            directions_histogram(&count, "cosα to the mirror direction, n = 20 at 60°", finding);
     }
 }
 
