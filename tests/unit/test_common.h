@@ -137,15 +137,20 @@ static inline Scene *scene_from_file(const char *path)
     return own_scene(scene);
 }
 
-// All kinds of photons; they stand in pass.rest.
-static inline PhotonPass photons_of(const Scene *scene, long photons, uint64_t seed, StepChoice play)
+// As deep as the scene has it. All kinds of photons; they stand in pass.rest.
+static inline PhotonPass pass_of(const Scene *scene, PhotonPassOptions options)
 {
-    PhotonPassOptions options = {
-        .photons = photons, .depth = scene->settings.depth, .seed = seed, .keep = KEEP_ALL, .play = play};
     PhotonPass pass;
-    steps_play(play);
+    options.depth = scene->settings.depth;
+    options.keep = KEEP_ALL;
     assert_works(photon_pass_run(scene, &options, &pass, &said));
     return *own_pass(kept(&pass, sizeof pass));
+}
+
+static inline PhotonPass photons_of(const Scene *scene, long photons, uint64_t seed, StepChoice play)
+{
+    steps_play(play);
+    return pass_of(scene, (PhotonPassOptions){.photons = photons, .seed = seed, .play = play});
 }
 
 static const StepChoice PLAY_DEFAULT = {GLOSSY_PHONG, false};

@@ -159,10 +159,7 @@ static float fresnel_without_total_reflection(float cos_i, float eta)
 
 static bool ledger_notices(const Scene *scene)
 {
-    PhotonPassOptions options = {.photons = ENOUGH, .depth = 100, .seed = 1, .keep = KEEP_ALL};
-    PhotonPass pass;
-    assert_true(photon_pass_run(scene, &options, &pass, NULL));
-    photon_pass_free(&pass);
+    PhotonPass pass = pass_of(scene, (PhotonPassOptions){.photons = ENOUGH, .seed = 1});
     for (int c = 0; c < 3; c++)
         if (fabs(pass.ledger.chance[c]) > 4.0 * pass.ledger.chance_error[c])
             return true;

@@ -6,15 +6,7 @@
 
 static PhotonPass spectral_pass(const Scene *scene, long photons, bool hero)
 {
-    PhotonPassOptions options = {.photons = photons,
-                                 .depth = scene->settings.depth,
-                                 .seed = 1,
-                                 .keep = KEEP_ALL,
-                                 .play = PLAY_WAVELENGTHS,
-                                 .hero = hero};
-    PhotonPass pass;
-    assert_works(photon_pass_run(scene, &options, &pass, &said));
-    return *own_pass(kept(&pass, sizeof pass));
+    return pass_of(scene, (PhotonPassOptions){.photons = photons, .seed = 1, .play = PLAY_WAVELENGTHS, .hero = hero});
 }
 
 static void flux_of(const PhotonPass *pass, double flux[3])

@@ -93,16 +93,9 @@ static inline Run *start(const RunRequest *request)
     return run;
 }
 
-static inline PhotonPass pass_of(const RunRequest *request)
+static inline PhotonPass pass_like(const RunRequest *request)
 {
-    PhotonPassOptions options = {.photons = request->photons,
-                                 .depth = scene->settings.depth,
-                                 .seed = request->seed,
-                                 .keep = KEEP_ALL,
-                                 .threads = 2};
-    PhotonPass pass;
-    assert_true(photon_pass_run(scene, &options, &pass, NULL));
-    return *own_pass(kept(&pass, sizeof pass));
+    return pass_of(scene, (PhotonPassOptions){.photons = request->photons, .seed = request->seed, .threads = 2});
 }
 
 static inline void check_photons(const Recording *recording, const PhotonPass *pass, const char *what)
@@ -117,7 +110,7 @@ static inline void check_photons(const Recording *recording, const PhotonPass *p
 static inline void good_run(const char *what)
 {
     RunRequest request = photons_request("good");
-    PhotonPass pass = pass_of(&request);
+    PhotonPass pass = pass_like(&request);
     Run *run = start(&request);
     RunStatus status = finish(run);
     if (status.state != RUN_DONE)
@@ -156,5 +149,12 @@ FIXTURE(preview_end)
     snprintf(command, sizeof command, "rm -rf %s", folder);
     return system(command);
 }
+
+#define AROUND_RUNS(faults, count)                                                                                     \
+    FIXTURE(set_up)                                                                                                    \
+    {                                                                                                                  \
+        return preview_start(state, faults, count);                                                                    \
+    }                                                                                                                  \
+    AROUND_TESTS(set_up, preview_end)
 
 #endif

@@ -190,9 +190,4 @@ TEST(a_pause_is_nobody_s_fault)
     run_free(run);
 }
 
-static int set_up(void **state)
-{
-    return preview_start(state, &endless, 1);
-}
-
-AROUND_TESTS(set_up, preview_end)
+AROUND_RUNS(&endless, 1)

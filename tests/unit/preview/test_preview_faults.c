@@ -113,9 +113,4 @@ TEST(a_call_has_a_place_behind_its_stub)
     assert_int_equal(inner.caller, 0x140);
 }
 
-static int set_up(void **state)
-{
-    return preview_start(state, faults, FAULTS);
-}
-
-AROUND_TESTS(set_up, preview_end)
+AROUND_RUNS(faults, FAULTS)

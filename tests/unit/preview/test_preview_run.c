@@ -5,7 +5,7 @@ TEST(the_photons_of_a_pass)
 {
     RunRequest request = photons_request(NULL);
     request.photons = 20000;
-    PhotonPass pass = pass_of(&request);
+    PhotonPass pass = pass_like(&request);
     for (int workers = 1; workers <= 3; workers++) {
         broker_workers(broker, workers);
         Run *run = start(&request);
@@ -153,9 +153,4 @@ TEST(what_has_come_is_a_first_part)
     broker_workers(broker, 2);
 }
 
-static int set_up(void **state)
-{
-    return preview_start(state, NULL, 0);
-}
-
-AROUND_TESTS(set_up, preview_end)
+AROUND_RUNS(NULL, 0)

@@ -26,8 +26,7 @@ static Colour look(const char *text, Integrator integrator, int glass_sides, int
     Scene *scene = scene_from_text(text);
     RenderOptions options = {.integrator = integrator, .glass_sides = glass_sides, .reuse = REUSE_DEFAULT};
     options.settings = (RenderSettings){.samples = samples, .k = 20, .depth = depth};
-    Colour radiance = look_through(scene, options);
-    return radiance;
+    return look_through(scene, options);
 }
 
 static void assert_colour(Colour value, double r, double g, double b, double relative, const char *what)

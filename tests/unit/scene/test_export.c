@@ -36,7 +36,7 @@ TEST(own_rules_are_refused)
     static const MaterialKind kinds[] = {{.optics = OPTICS_MIRROR, .turn = any_turn},
                                          {.optics = OPTICS_ROUGH, .lobe = any_lobe},
                                          {.optics = OPTICS_LIGHT}};
-    Scene *scene = scene_in_folder(CAMERA LIGHT WHITE, NULL);
+    Scene *scene = scene_from_text(CAMERA LIGHT WHITE);
     char path[200];
     for (int i = 0; i < 3; i++)
         for (int format = 0; format < 2; format++) {
@@ -58,7 +58,7 @@ TEST(what_differs_is_told)
         {"flint: Mitsuba 3's glass has one index", "satin: the cosine lobe of exponent 50", "a beam is left out",
          "a lamp's spectrum becomes"},
         {"satin: the cosine lobe", "roughness 0.1", "a beam is left out", "line at 589.3 nm becomes a band"}};
-    Scene *scene = scene_in_folder(text, NULL);
+    Scene *scene = scene_from_text(text);
     for (int format = 0; format < 2; format++) {
         char path[200];
         assert_true(export_as(scene, format ? "a.pbrt" : "a.xml", path));
@@ -73,10 +73,9 @@ TEST(what_differs_is_told)
 TEST(a_mesh_of_a_rectangle)
 {
     Scene *scene =
-        scene_in_folder(CAMERA LIGHT "materials:\n  - {name: \"../a b\", type: mirror}\n"
+        scene_from_text(CAMERA LIGHT "materials:\n  - {name: \"../a b\", type: mirror}\n"
                                      "shapes:\n  - {type: rectangle, material: \"../a b\", corner: [1, 2, 3], "
-                                     "edge_u: [1, 0, 0], edge_v: [0, 2, 0]}\n",
-                        NULL);
+                                     "edge_u: [1, 0, 0], edge_v: [0, 2, 0]}\n");
     char path[200], mesh[220];
     assert_true(export_as(scene, "a.xml", path));
     snprintf(mesh, sizeof mesh, "%s/a_1_.._a_b.ply", temporary);

@@ -3,13 +3,12 @@
 
 TEST(test_settings)
 {
-    Scene *scene = scene_in_folder(CAMERA LIGHT, NULL);
+    Scene *scene = scene_from_text(CAMERA LIGHT);
     RenderSettings s = scene->settings;
     assert_true(s.width == 512 && s.height == 512 && s.samples == 4 && s.photons == 500000 && s.k == 100 &&
                 s.radius == 0 && s.depth == 32);
-    scene = scene_in_folder(
-        CAMERA LIGHT "render: {width: 3, height: 4, samples: 5, photons: 600000000, k: 7, radius: 0.5, depth: 9}\n",
-        NULL);
+    scene = scene_from_text(
+        CAMERA LIGHT "render: {width: 3, height: 4, samples: 5, photons: 600000000, k: 7, radius: 0.5, depth: 9}\n");
     s = scene->settings;
     assert_true(s.width == 3 && s.height == 4 && s.samples == 5 && s.photons == 600000000 && s.k == 7 &&
                 s.radius == 0.5f && s.depth == 9);
@@ -17,7 +16,7 @@ TEST(test_settings)
 
 TEST(test_camera)
 {
-    Scene *scene = scene_in_folder(CAMERA LIGHT, NULL);
+    Scene *scene = scene_from_text(CAMERA LIGHT);
     // The formula of the reference images: ((2(i+½)/W − 1)·T, (1 − 2(j+½)/W)·T, −1) with T = tan(fov/2).
     double t = tan(39.3077 / 2 * 3.14159265358979 / 180);
     for (int j = 0; j < 8; j++)
@@ -34,7 +33,7 @@ TEST(test_camera)
 
 TEST(test_materials)
 {
-    Scene *scene = scene_in_folder(
+    Scene *scene = scene_from_text(
         CAMERA LIGHT "materials:\n"
                      "  - {name: a, type: diffuse, reflectance: [0.7, 0.6, 0.5]}\n"
                      "  - {name: b, type: glossy, diffuse: [0.3, 0.2, 0.1], specular: [0.7, 0.5, 0.5], exponent: 50}\n"
@@ -43,8 +42,7 @@ TEST(test_materials)
                      "  - {name: e, type: glass, index: 1.5}\n"
                      "  - {name: f, type: glass, indices: [1.1, 1.1, 1.3]}\n"
                      "  - {name: g, type: glass, glass: n-sf11}\n"
-                     "  - {name: h, type: glass, index_d: 1.5168, abbe: 64.17}\n",
-        NULL);
+                     "  - {name: h, type: glass, index_d: 1.5168, abbe: 64.17}\n");
     const Material *m = scene->materials;
     assert_int_equal(scene->material_count, 8);
     assert_true(m[0].type == MATERIAL_DIFFUSE && m[0].diffuse.g == 0.6f && !m[0].lobe);
@@ -64,7 +62,7 @@ TEST(test_materials)
 TEST(test_lights)
 {
     const double pi = 3.14159265358979;
-    Scene *scene = scene_in_folder(
+    Scene *scene = scene_from_text(
         CAMERA WHITE
         "lights:\n"
         "  - {type: sphere, centre: [1, 2, 3], radius: 0.5, radiance: [1, 2, 3]}\n"
@@ -75,8 +73,7 @@ TEST(test_lights)
         "  - {type: sphere, centre: [1, 2, 3], radius: 2, power: [1, 1, 1]}\n"
         "shapes:\n"
         "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: white}\n"
-        "  - {type: rectangle, corner: [0, 0, 0], edge_u: [1, 0, 0], edge_v: [0, 1, 0], material: white}\n",
-        NULL);
+        "  - {type: rectangle, corner: [0, 0, 0], edge_u: [1, 0, 0], edge_v: [0, 1, 0], material: white}\n");
     const Light *l = scene->lights;
     assert_int_equal(scene->light_count, 6);
     assert_near(l[0].area, pi, 1e-6); // 4πr² with r = ½

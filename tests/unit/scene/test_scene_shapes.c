@@ -8,7 +8,7 @@ static Scene *load_shape(const char *shape)
 {
     char text[2000];
     snprintf(text, sizeof text, CAMERA LIGHT WHITE "shapes:\n  - {%s, material: white}\n", shape);
-    return scene_in_folder(text, NULL);
+    return scene_from_text(text);
 }
 
 // By Gauss: a third of the flux of the position vector through the surface. Positive when all normals point outside.
