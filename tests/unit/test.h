@@ -108,6 +108,14 @@ static inline void *kept(const void *value, size_t size)
     return memcpy(memory(1, size), value, size);
 }
 
+static inline void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
 // ---- tests
 
 // A test with what runs before and after it, and the state that they get.

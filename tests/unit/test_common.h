@@ -112,9 +112,10 @@ static inline void assert_share(long hits, long count, double p, const char *wha
     assert_within((double)hits / (double)count, p, 3.0 * error + 1e-9, what);
 }
 
-// ---- scenes and photons
+// ---- scenes, photons and pictures
 FREED_AT_END(own_scene, Scene, scene_free)
 FREED_AT_END(own_pass, PhotonPass, photon_pass_free)
+FREED_AT_END(own_image, Image, image_free)
 
 // Files that the text names are looked for in `folder`.
 static inline Scene *scene_in_folder(const char *text, const char *folder)
@@ -151,6 +152,14 @@ static inline PhotonPass photons_of(const Scene *scene, long photons, uint64_t s
 {
     steps_play(play);
     return pass_of(scene, (PhotonPassOptions){.photons = photons, .seed = seed, .play = play});
+}
+
+static inline Image picture_of(const Scene *scene, const RenderOptions *options)
+{
+    Image image;
+    RenderStats stats;
+    assert_works(render_image(scene, options, &image, &stats, &said));
+    return *own_image(kept(&image, sizeof image));
 }
 
 static const StepChoice PLAY_DEFAULT = {GLOSSY_PHONG, false};

@@ -2,10 +2,7 @@
 #ifndef PHOTONLAB_TESTS_IMAGE_HELPERS_H
 #define PHOTONLAB_TESTS_IMAGE_HELPERS_H
 
-#include "image/image.h"
-#include "unit/test.h"
-
-FREED_AT_END(own_image, Image, image_free)
+#include "unit/test_common.h"
 
 static inline Image make_image(int width, int height)
 {

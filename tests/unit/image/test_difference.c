@@ -6,14 +6,14 @@
 
 static const ImageMask NO_MASK = {0, 0, 0, 0};
 
-static Image picture_of(const Image *image, const Image *reference, float scale)
+static Image difference_of(const Image *image, const Image *reference, float scale)
 {
     Image picture;
     assert_works(image_difference_picture(image, reference, scale, &picture, &said));
     return *own_image(kept(&picture, sizeof picture));
 }
 
-static void assert_near(double value, double expected)
+static void assert_exact(double value, double expected)
 {
     if (!(fabs(value - expected) <= 1e-12 * fabs(expected)))
         fail_msg("%.17g is not %.17g", value, expected);
@@ -30,17 +30,17 @@ TEST(two_pixels_have_known_values)
     reference.pixels[1] = colour(3, 0, 2);
     assert_true(image_difference(&image, &reference, NO_MASK, &d, NULL));
     assert_int_equal(d.pixels, 2);
-    assert_near(d.rmse[0], sqrt(1.0 / 2.0));
-    assert_near(d.rmse[1], 0.0);
-    assert_near(d.rmse[2], sqrt(4.0 / 2.0));
-    assert_near(d.relative_mse[0], 1.0 / 1.01 / 2.0);
-    assert_near(d.relative_mse[1], 0.0);
-    assert_near(d.relative_mse[2], 4.0 / 4.01 / 2.0);
-    assert_near(d.relative_mse_all, (1.0 / 1.01 + 4.0 / 4.01) / 6.0);
-    assert_near(d.relative_mse_trimmed, d.relative_mse_all);
-    assert_near(d.mean_ratio[0], 5.0 / 4.0);
-    assert_near(d.mean_ratio[1], 1.0);
-    assert_near(d.mean_ratio[2], 2.0 / 4.0);
+    assert_exact(d.rmse[0], sqrt(1.0 / 2.0));
+    assert_exact(d.rmse[1], 0.0);
+    assert_exact(d.rmse[2], sqrt(4.0 / 2.0));
+    assert_exact(d.relative_mse[0], 1.0 / 1.01 / 2.0);
+    assert_exact(d.relative_mse[1], 0.0);
+    assert_exact(d.relative_mse[2], 4.0 / 4.01 / 2.0);
+    assert_exact(d.relative_mse_all, (1.0 / 1.01 + 4.0 / 4.01) / 6.0);
+    assert_exact(d.relative_mse_trimmed, d.relative_mse_all);
+    assert_exact(d.mean_ratio[0], 5.0 / 4.0);
+    assert_exact(d.mean_ratio[1], 1.0);
+    assert_exact(d.mean_ratio[2], 2.0 / 4.0);
     image.pixels[0].g = 0.5f;
     assert_true(image_difference(&image, &reference, NO_MASK, &d, NULL));
     assert_true(isinf(d.mean_ratio[1]) && d.mean_ratio[1] > 0.0);
@@ -59,7 +59,7 @@ TEST(mask_leaves_its_rectangle_out)
     for (int i = 0; i < 4; i++) {
         assert_true(image_difference(&image, &reference, one_short[i], &d, NULL));
         assert_int_equal(d.pixels, 18);
-        assert_near(d.relative_mse[0], 1.0 / 0.01 / 18.0);
+        assert_exact(d.relative_mse[0], 1.0 / 0.01 / 18.0);
     }
     const ImageMask nothing[] = {{3, 2, 3, 4}, {4, 3, 1, 0}, {9, 9, 12, 12}, {-5, -5, 0, 9}};
     for (int i = 0; i < 4; i++) {
@@ -76,14 +76,14 @@ TEST(trimming_drops_one_pixel_in_a_thousand)
     image.pixels[7].r = 3.0f;
     image.pixels[1999].b = 2.0f;
     assert_true(image_difference(&image, &reference, NO_MASK, &d, NULL));
-    assert_near(d.relative_mse_all, (9.0 + 4.0) / 0.01 / 6000.0);
+    assert_exact(d.relative_mse_all, (9.0 + 4.0) / 0.01 / 6000.0);
     assert_true(d.relative_mse_trimmed == 0.0);
     image.pixels[1000] = colour(1.0f, 1.0f, 1.0f); // 3 in all: less than 4 and 9, although in more channels
     assert_true(image_difference(&image, &reference, NO_MASK, &d, NULL));
-    assert_near(d.relative_mse_trimmed, 3.0 / 0.01 / (3.0 * 1998.0));
+    assert_exact(d.relative_mse_trimmed, 3.0 / 0.01 / (3.0 * 1998.0));
     assert_true(image_difference(&image, &reference, (ImageMask){999, 0, 2000, 1}, &d, NULL));
     assert_int_equal(d.pixels, 999);
-    assert_near(d.relative_mse_trimmed, 9.0 / 0.01 / (3.0 * 999.0));
+    assert_exact(d.relative_mse_trimmed, 9.0 / 0.01 / (3.0 * 999.0));
 }
 
 TEST(pairs_that_cannot_be_compared_are_refused)
@@ -117,7 +117,7 @@ TEST(picture_is_red_where_brighter)
     image.pixels[2] = colour(1.0f, -1.0f, 0.0f);
     image.pixels[3] = colour_grey(9.0f);
     reference.pixels[4] = colour_grey(9.0f);
-    Image picture = picture_of(&image, &reference, 0.5f);
+    Image picture = difference_of(&image, &reference, 0.5f);
     assert_colour(picture.pixels[0], 1.0f, 0.5f, 0.5f);
     assert_colour(picture.pixels[1], 0.5f, 0.5f, 1.0f);
     assert_colour(picture.pixels[2], 1.0f, 1.0f, 1.0f);
@@ -130,16 +130,16 @@ TEST(picture_finds_its_scale)
     Image image = make_image(201, 1), reference = make_image(201, 1);
     for (int i = 0; i <= 200; i++)
         image.pixels[(i * 89) % 201] = colour_grey((float)i / 200.0f); // percentile 99: number 198, 0.99
-    Image picture = picture_of(&image, &reference, 0.0f);
+    Image picture = difference_of(&image, &reference, 0.0f);
     assert_colour(picture.pixels[99 * 89 % 201], 1.0f, 0.5f, 0.5f);
     assert_colour(picture.pixels[197 * 89 % 201], 1.0f, 1.0f - 0.985f / 0.99f, 1.0f - 0.985f / 0.99f);
     assert_colour(picture.pixels[200 * 89 % 201], 1.0f, 0.0f, 0.0f);
-    picture = picture_of(&image, &image, 0.0f);
+    picture = difference_of(&image, &image, 0.0f);
     assert_colour(picture.pixels[200], 1.0f, 1.0f, 1.0f);
     memset(image.pixels, 0, 201 * sizeof *image.pixels);
     image.pixels[3] = colour_grey(0.5f); // too few: the percentile is 0, the largest decides
     image.pixels[5] = colour_grey(0.25f);
-    picture = picture_of(&reference, &image, 0.0f);
+    picture = difference_of(&reference, &image, 0.0f);
     assert_colour(picture.pixels[3], 0.0f, 0.0f, 1.0f);
     assert_colour(picture.pixels[5], 0.5f, 0.5f, 1.0f);
     assert_colour(picture.pixels[4], 1.0f, 1.0f, 1.0f);

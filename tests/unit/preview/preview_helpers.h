@@ -26,14 +26,6 @@ typedef struct {
     const char *name, *file, *code;
 } Fault;
 
-static inline void write_text(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 // Appends the command that builds it.
 static inline int prepare_fault(const Fault *fault, char *command, size_t size)
 {

@@ -65,9 +65,8 @@ static Vec3 sample(const Lobe *lobe, StepFault fault, Rng *rng, float *weight)
 // What is wrong is so by far: fewer samples tell it.
 static Findings samples_of(const Lobe *lobe, StepFault fault)
 {
-    Findings samples = {calloc(SAMPLES, sizeof(LobeSample)), fault == RIGHT ? SAMPLES : SAMPLES / 4};
-    LobeSample *items = samples.items;
-    assert_non_null(items);
+    LobeSample *items = memory(SAMPLES, sizeof *items);
+    Findings samples = {items, fault == RIGHT ? SAMPLES : SAMPLES / 4};
     for (size_t i = 0; i < samples.count; i++) {
         Rng rng = rng_create(11, i);
         items[i].direction = sample(lobe, fault, &rng, &items[i].weight);
@@ -119,7 +118,6 @@ static Distance cloud_distance(size_t setting, StepFault fault)
     distance.absorbed = counts.absorbed;
     distance.too_long = counts.not_unit;
     distance.below = counts.below;
-    findings_free(&samples);
     vertices_free(&cloud);
     return distance;
 }
@@ -174,6 +172,5 @@ TEST(nothing_and_no_number_are_left_out)
     assert_int_equal(counts.not_unit, SAMPLES - counts.absorbed - sound);
     for (size_t i = 0; i < cloud.count; i++)
         assert_true(isfinite(cloud.items[i].x + cloud.items[i].y + cloud.items[i].z));
-    findings_free(&samples);
     vertices_free(&cloud);
 }

@@ -27,17 +27,9 @@ static inline const char *path_to(const char *part, const char *file)
     return paths[last];
 }
 
-static inline void write_file(const char *part, const char *file, const char *text)
-{
-    FILE *stream = fopen(path_to(part, file), "w");
-    assert_non_null(stream);
-    fputs(text, stream);
-    fclose(stream);
-}
-
 static inline void save(const char *file, const char *text)
 {
-    write_file(SOURCES, file, text);
+    write_text(path_to(SOURCES, file), text);
 }
 
 // The next event but WATCH_BUILDING; WATCH_NOTHING when none comes in time.
@@ -100,7 +92,7 @@ static inline int set_up(void **state)
     for (int i = 0; i < 4; i++)
         mkdir(path_to(i < 2 ? SOURCES : OBJECTS, i % 2 ? "1_diffuse_photon_map" : ""), 0700);
     save(STEP ".c", "before");
-    write_file(OBJECTS, STEP ".so", "before");
+    write_text(path_to(OBJECTS, STEP ".so"), "before");
     if (*state && strcmp(*state, "times") == 0)
         setenv("PHOTONLAB_WATCH", "times", 1);
     else

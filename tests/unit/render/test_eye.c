@@ -13,12 +13,8 @@ static Colour look_through(const Scene *scene, RenderOptions options)
     options.settings.photons = 1000;
     options.seed = 1;
     options.threads = 1;
-    Image image;
-    RenderStats stats;
-    assert_works(render_image(scene, &options, &image, &stats, &said));
-    Colour radiance = *image_at(&image, 0, 0);
-    image_free(&image);
-    return radiance;
+    Image image = picture_of(scene, &options);
+    return *image_at(&image, 0, 0);
 }
 
 static Colour look(const char *text, Integrator integrator, int glass_sides, int depth, int samples)

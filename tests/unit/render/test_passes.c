@@ -116,7 +116,7 @@ static Image by_passes(const Scene *scene, RenderOptions options, Passes passes)
     RenderStats stats;
     assert_works(passes_run(scene, &options, &passes, &stats, &said) && passes_picture(&passes, &image, &said));
     passes_free(&passes);
-    return image;
+    return *own_image(kept(&image, sizeof image));
 }
 
 static double mean_of(const Image *image)
@@ -125,13 +125,6 @@ static double mean_of(const Image *image)
     for (int i = 0; i < image->width * image->height; i++)
         sum += (double)image->pixels[i].g;
     return sum / (image->width * image->height);
-}
-
-static void assert_same_picture(Image *a, Image *b)
-{
-    assert_memory_equal(a->pixels, b->pixels, (size_t)(a->width * a->height) * sizeof(Colour));
-    image_free(a);
-    image_free(b);
 }
 
 // Three ways to the same picture: k nearest, a radius for all, a radius for each pixel.
@@ -143,15 +136,10 @@ TEST(passes_converge_to_the_picture)
     Image pixel = by_passes(scene, options, (Passes){.last = 24, .alpha = ALPHA, .by_pixel = true});
     options.settings.photons *= 24;
     options.settings.samples = 24;
-    Image once;
-    RenderStats stats;
-    assert_true(render_image(scene, &options, &once, &stats, NULL));
+    Image once = picture_of(scene, &options);
     double expected = mean_of(&once);
     assert_near(mean_of(&pass), expected, 0.02 * expected);
     assert_near(mean_of(&pixel), expected, 0.02 * expected);
-    image_free(&pass);
-    image_free(&pixel);
-    image_free(&once);
 }
 
 static bool stop_after_three(void *user, const Passes *passes)
@@ -185,6 +173,6 @@ TEST(an_interrupted_picture_has_the_same_bytes)
         Image interrupted = by_passes(scene, options, again);
         options.threads = 1;
         Image whole = by_passes(scene, options, (Passes){.last = 7, .alpha = ALPHA, .by_pixel = by_pixel});
-        assert_same_picture(&interrupted, &whole);
+        assert_memory_equal(interrupted.pixels, whole.pixels, (size_t)(whole.width * whole.height) * sizeof(Colour));
     }
 }

@@ -110,9 +110,7 @@ TEST(test_unreadable)
 {
     if (geteuid() == 0)
         skip(); // root reads everything
-    FILE *file = fopen(temporary_path("secret.yaml"), "w");
-    fputs(CAMERA LIGHT, file);
-    fclose(file);
+    write_text(temporary_path("secret.yaml"), CAMERA LIGHT);
     chmod(temporary_path("secret.yaml"), 0);
     assert_true(scene_refused(temporary_path("secret.yaml"), "secret.yaml: Permission denied"));
     unlink(temporary_path("secret.yaml"));
@@ -130,10 +128,8 @@ TEST(test_size)
     };
     for (int i = 0; i < 3; i++) {
         const char *path = temporary_path(files[i].name);
-        FILE *file = fopen(path, "w");
-        assert_non_null(file);
-        assert_int_equal(ftruncate(fileno(file), files[i].size), 0);
-        fclose(file);
+        write_text(path, "");
+        assert_int_equal(truncate(path, files[i].size), 0);
         assert_true(ends_with(path, ".obj") ? mesh_refused("", path, files[i].expected)
                                             : scene_refused(path, files[i].expected));
         unlink(path);

@@ -66,10 +66,7 @@ static Scene *load_mesh(const char *obj, const char *keys)
     char path[100], text[1000], folder[50];
     snprintf(folder, sizeof folder, "%s/", temporary);
     snprintf(path, sizeof path, "%smesh.obj", folder);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(obj, file);
-    fclose(file);
+    write_text(path, obj);
     snprintf(text, sizeof text,
              CAMERA LIGHT WHITE "  - {name: shiny, type: mirror}\nshapes:\n  - {type: mesh, file: mesh.obj%s}\n", keys);
     Scene *scene = scene_in_folder(text, folder);
