@@ -160,13 +160,8 @@ static const char *feedback_of(const Table *table, const TableRow *row, char *te
     for (const char *at = plain; *at; at += bytes + !bytes) {
         unsigned long code;
         bytes = text_character((const unsigned char *)at, strlen(at), &code); // 0: one that a limit has cut
-        text_append(text, size, "%.*s", *at == '&' || *at == '<' || *at == '>' || *at == '\n' ? 0 : (int)bytes, at);
-        text_append(text, size, "%s",
-                    *at == '&'    ? "&amp;"
-                    : *at == '<'  ? "&lt;"
-                    : *at == '>'  ? "&gt;"
-                    : *at == '\n' ? " "
-                                  : "");
+        const char *other = *at == '&' ? "&amp;" : *at == '<' ? "&lt;" : *at == '>' ? "&gt;" : *at == '\n' ? " " : NULL;
+        text_append(text, size, "%.*s", other ? (int)strlen(other) : (int)bytes, other ? other : at);
     }
     return text;
 }

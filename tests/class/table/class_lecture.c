@@ -55,10 +55,7 @@ void lecture_write(FILE *stream, const Table *table)
 {
     size_t kinds, *who;
     Mistake *mistakes = mistakes_find(table, &kinds, &who);
-    fputs("<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><meta name=viewport content=\"width=device-width\">"
-          "<title>photonlab: what did my class get wrong?</title>\n",
-          stream);
-    fputs(page_style, stream);
+    page_begin(stream, "photonlab: what did my class get wrong?");
     fputs("<h1>What did my class get wrong?</h1>\n", stream);
     for (size_t i = 0; i < STEP_COUNT; i++) {
         if (stage_counts(table, step_table[i].stage) && (i == 0 || step_table[i].stage != step_table[i - 1].stage))

@@ -15,7 +15,7 @@ void page_link(FILE *stream, const char *path)
             fprintf(stream, "%%%02X", (unsigned char)*path);
 }
 
-const char page_style[] =
+static const char style[] =
     "<style>body{font:15px/1.4 system-ui,sans-serif;margin:2em;color:#222;background:#fff}table{border-collapse:collapse}"
     "th,td{padding:.15em .5em;border-bottom:1px solid #ddd;text-align:left;vertical-align:top}"
     "td.n{text-align:right;font-variant-numeric:tabular-nums}td.m{font-family:monospace;white-space:pre}"
@@ -23,6 +23,14 @@ const char page_style[] =
     "figure{margin:0;width:16em}figure .bar{height:.4em}figure img{width:100%;margin-top:.5em}"
     "img{max-width:100%}details{max-width:34em}summary{cursor:pointer}"
     "@media(prefers-color-scheme:dark){body{color:#ddd;background:#181818}a{color:#8cb4e8}th,td{border-color:#444}}</style>\n";
+
+void page_begin(FILE *stream, const char *title)
+{
+    fprintf(stream,
+            "<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><meta name=viewport content=\"width=device-width\">"
+            "<title>%s</title>\n%s",
+            title, style);
+}
 
 // A click on a heading sorts by it, numbers as numbers, and another click turns the order round; the field leaves only
 // the rows that hold a word. Of many rows a browser is given the first alone: it would take long over the rest.
@@ -190,10 +198,7 @@ void page_write(FILE *stream, const Table *table)
         graded += strcmp(table->rows[r].student->status, "graded") == 0;
         sum += table->rows[r].student->points;
     }
-    fputs("<!DOCTYPE html>\n<html lang=en><meta charset=utf-8><meta name=viewport content=\"width=device-width\">"
-          "<title>photonlab: the class</title>\n",
-          stream);
-    fputs(page_style, stream);
+    page_begin(stream, "photonlab: the class");
     fprintf(stream,
             "<h1>The class</h1>\n<p>%zu lines, %zu graded; mean of all %.1f points. Points as numbers: "
             "<a href=class.csv>class.csv</a>. ✓ passed, ✗ wrong, ! broke off, ○ not started.</p>\n",

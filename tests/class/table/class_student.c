@@ -1,17 +1,18 @@
 // One submission's result, from OUT/<name>/report.json and graded.json.
+#include "base/text.h"
 #include "class/table/class_table.h"
 
 #include <jansson.h>
 #include <string.h>
 #include <unistd.h>
 
-static void copy_text(const json_t *object, const char *name, char *to, size_t size)
+static const char *text_in(const json_t *object, const char *name)
 {
     const char *text = json_string_value(json_object_get(object, name));
-    snprintf(to, size, "%s", text ? text : "");
+    return text ? text : "";
 }
 
-static double number_of(const json_t *object, const char *name)
+static double number_in(const json_t *object, const char *name)
 {
     return json_number_value(json_object_get(object, name));
 }
@@ -19,79 +20,66 @@ static double number_of(const json_t *object, const char *name)
 // Of what is wrong in a way that has no name: that it did not end, or which check says so.
 static void say_check(const json_t *step, char *said, size_t size)
 {
-    const char *message = json_string_value(json_object_get(step, "message"));
-    const char *endless = message ? strstr(message, "it did not end within") : NULL;
-    size_t i;
-    json_t *check;
-    if (endless)
-        snprintf(said, size, "%s", endless);
-    else
-        json_array_foreach(json_object_get(step, "checks"), i, check)
-        {
-            char status[8], title[300];
-            copy_text(check, "status", status, sizeof status);
-            copy_text(check, "title", title, sizeof title);
-            if (!*said && strcmp(status, status_table[STATUS_FAIL].name) == 0)
-                snprintf(said, size, "wrong by the check “%s”", title);
-        }
+    const char *endless = strstr(text_in(step, "message"), "it did not end within");
+    const json_t *checks = json_object_get(step, "checks");
+    snprintf(said, size, "%s", endless ? endless : "");
+    for (size_t i = 0; !*said && i < json_array_size(checks); i++)
+        if (strcmp(text_in(json_array_get(checks, i), "status"), status_table[STATUS_FAIL].name) == 0)
+            snprintf(said, size, "wrong by the check “%.299s”", text_in(json_array_get(checks, i), "title"));
 }
 
 static void read_step(const json_t *json, Student *student)
 {
-    const char *id = json_string_value(json_object_get(json, "id"));
-    const StepInfo *step = id ? step_find(id) : NULL;
-    if (!step)
+    const StepInfo *info = step_find(text_in(json, "id"));
+    if (!info)
         return;
-    size_t i = (size_t)(step - step_table);
-    student->steps[i].there = true;
-    student->steps[i].points = number_of(json, "points");
-    student->steps[i].points_max = number_of(json, "points_max");
-    student->steps[i].hidden = json_is_true(json_object_get(json, "hidden"));
-    copy_text(json, "status", student->steps[i].status, sizeof student->steps[i].status);
-    copy_text(json, "mistake", student->steps[i].mistake, sizeof student->steps[i].mistake);
+    StudentStep *step = &student->steps[info - step_table];
+    *step = (StudentStep){.there = true,
+                          .points = number_in(json, "points"),
+                          .points_max = number_in(json, "points_max"),
+                          .hidden = json_is_true(json_object_get(json, "hidden"))};
+    snprintf(step->status, sizeof step->status, "%s", text_in(json, "status"));
+    snprintf(step->mistake, sizeof step->mistake, "%s", text_in(json, "mistake"));
     // What broke off says how; of what is wrong the likely mistake is told, by its short name where there is no sentence,
     // or which check failed.
-    bool broke = strcmp(student->steps[i].status, status_table[STATUS_ERROR].name) == 0;
-    copy_text(json, broke ? "message" : "looks_like", student->steps[i].said, sizeof student->steps[i].said);
-    char *line = broke ? strstr(student->steps[i].said, ", line ") : NULL; // each has another, and all mean the same
+    bool broke = strcmp(step->status, status_table[STATUS_ERROR].name) == 0;
+    const char *words = text_in(json, broke ? "message" : "looks_like");
+    snprintf(step->said, sizeof step->said, "%s", *words ? words : text_in(json, "mistake"));
+    char *line = broke ? strstr(step->said, ", line ") : NULL; // each has another, and all mean the same
     if (line)
         *line = '\0';
-    if (!*student->steps[i].said)
-        copy_text(json, "mistake", student->steps[i].said, sizeof student->steps[i].said);
-    if (!*student->steps[i].said)
-        say_check(json, student->steps[i].said, sizeof student->steps[i].said);
-    if (step->stage >= 1 && step->stage <= STAGE_COUNT)
-        student->stage_points[step->stage - 1] += student->steps[i].points;
+    if (!*step->said)
+        say_check(json, step->said, sizeof step->said);
+    student->stage_points[info->stage - 1] += step->points;
 }
 
-static void read_report(const json_t *report, Student *student)
+static json_t *load(const char *directory, const char *name, const char *file)
 {
-    size_t i;
-    json_t *step;
-    json_array_foreach(json_object_get(report, "steps"), i, step) read_step(step, student);
-    student->points = number_of(report, "points");
+    char path[4200];
+    snprintf(path, sizeof path, "%.3000s/%.900s/%s", directory, name, file);
+    return json_load_file(path, 0, NULL);
 }
 
 void student_read(const char *directory, const char *name, Student *student)
 {
-    char path[4200];
+    char page[4200];
     *student = (Student){.name = name, .status = "not graded", .message = "grading did not get this far"};
-    snprintf(path, sizeof path, "%.3000s/%.900s/graded.json", directory, name);
-    json_t *graded = json_load_file(path, 0, NULL);
+    json_t *graded = load(directory, name, "graded.json");
     if (!graded)
         return;
-    copy_text(graded, "status", student->status, sizeof student->status);
-    copy_text(graded, "message", student->message, sizeof student->message);
-    student->seconds = number_of(graded, "seconds");
-    student->submitted = (time_t)number_of(graded, "submitted");
+    snprintf(student->status, sizeof student->status, "%s", text_in(graded, "status"));
+    snprintf(student->message, sizeof student->message, "%s", text_in(graded, "message"));
+    student->seconds = number_in(graded, "seconds");
+    student->submitted = (time_t)number_in(graded, "submitted");
     json_decref(graded);
-    snprintf(path, sizeof path, "%.3000s/%.900s/report.json", directory, name);
-    json_t *report = json_load_file(path, 0, NULL);
-    if (report)
-        read_report(report, student);
+    json_t *report = load(directory, name, "report.json");
+    student->points = number_in(report, "points");
+    const json_t *steps_read = json_object_get(report, "steps");
+    for (size_t i = 0; i < json_array_size(steps_read); i++)
+        read_step(json_array_get(steps_read, i), student);
     json_decref(report);
-    snprintf(path, sizeof path, "%.3000s/%.900s/index.html", directory, name);
-    student->has_page = access(path, R_OK) == 0;
+    snprintf(page, sizeof page, "%.3000s/%.900s/index.html", directory, name);
+    student->has_page = access(page, R_OK) == 0;
 }
 
 size_t student_count(const Student *student, const char *status)
@@ -106,9 +94,7 @@ void student_mistakes(const Student *student, char *text, size_t size)
 {
     *text = '\0';
     for (size_t i = 0; i < STEP_COUNT; i++)
-        if (*student->steps[i].said) {
-            size_t used = strlen(text);
-            snprintf(text + used, size - used, "%s%s: %s", used ? "; " : "", step_table[i].id,
-                     *student->steps[i].mistake ? student->steps[i].mistake : student->steps[i].said);
-        }
+        if (*student->steps[i].said)
+            text_append(text, size, "%s%s: %s", *text ? "; " : "", step_table[i].id,
+                        *student->steps[i].mistake ? student->steps[i].mistake : student->steps[i].said);
 }

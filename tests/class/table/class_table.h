@@ -36,6 +36,12 @@ void csv_write_text(FILE *stream, const char *cell, bool first);
 void csv_free(Csv *csv);
 
 typedef struct {
+    char status[8], mistake[64], said[400]; // the mistake's name, or ""; what went wrong in words, or ""
+    double points, points_max;
+    bool there, hidden;
+} StudentStep;
+
+typedef struct {
     const char *name;
     char message[6200];
     char status[32]; // "graded", "partly graded", "unreadable", "not graded" (why: message), "no submission"
@@ -43,11 +49,7 @@ typedef struct {
     time_t submitted;     // 0: not known
     double late, penalty; // days, begun ones are whole, after the day of the stage that was due first; points taken off
     bool in_roster, has_page;
-    struct {
-        char status[8], mistake[64], said[400]; // the mistake's name, or ""; what went wrong in words, or ""
-        double points, points_max;
-        bool there, hidden;
-    } steps[STEP_COUNT]; // all empty where a step is not in the course
+    StudentStep steps[STEP_COUNT]; // all empty where a step is not in the course
 } Student;
 
 void student_read(const char *directory, const char *name, Student *student);
@@ -116,7 +118,7 @@ TableWriter page_write, page_write_spread, lecture_write, grades_write;
 // To be asked before anything is written: where in the roster do grades go? In `column`, or NULL: in the only one there is.
 bool grades_find(const Roster *roster, RosterKind kind, const char *column, Grades *in, Error *error);
 
-extern const char page_style[];
-void page_link(FILE *stream, const char *path); // a path in a link
+void page_begin(FILE *stream, const char *title); // what both pages begin with, to their style
+void page_link(FILE *stream, const char *path);   // a path in a link
 
 #endif

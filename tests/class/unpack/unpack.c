@@ -10,28 +10,25 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+// NULL is the last ending.
+static bool ends_in(const char *name, const char *const *endings)
+{
+    size_t length = strlen(name);
+    while (*endings && !(length > strlen(*endings) && strcasecmp(name + length - strlen(*endings), *endings) == 0))
+        endings++;
+    return *endings != NULL;
+}
+
 bool found_is_archive(const char *name)
 {
-    static const char *const endings[] = {".tar.gz", ".tgz", ".tar.xz", ".txz", ".tar.bz2", ".tar", ".zip"};
-    size_t length = strlen(name);
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
-        size_t ending = strlen(endings[i]);
-        if (length > ending && strcasecmp(name + length - ending, endings[i]) == 0)
-            return true;
-    }
-    return false;
+    static const char *const endings[] = {".tar.gz", ".tgz", ".tar.xz", ".txz", ".tar.bz2", ".tar", ".zip", NULL};
+    return ends_in(name, endings);
 }
 
 bool found_wants(const char *path)
 {
-    static const char *const endings[] = {".c", ".h", ".inl", ".cc", ".cpp", ".cxx", ".c.txt"};
-    size_t length = strlen(path);
-    bool is_code = false;
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
-        size_t ending = strlen(endings[i]);
-        is_code = is_code || (length > ending && strcasecmp(path + length - ending, endings[i]) == 0);
-    }
-    if (!is_code || length > 1000)
+    static const char *const endings[] = {".c", ".h", ".inl", ".cc", ".cpp", ".cxx", ".c.txt", NULL};
+    if (!ends_in(path, endings) || strlen(path) > 1000)
         return false;
     int depth = 0;
     for (const char *part = path; part; part = strchr(part, '/') ? strchr(part, '/') + 1 : NULL) {
@@ -49,7 +46,7 @@ bool found_count(Found *found, Error *error)
     return true;
 }
 
-static bool add(Found *found, const char *path, char *bytes, size_t size, const char *broken, Error *error)
+bool found_add(Found *found, const char *path, char *bytes, size_t size, const char *broken, Error *error)
 {
     FoundFile *files = realloc(found->files, (found->count + 1) * sizeof *files);
     char *name = strdup(path);
@@ -63,16 +60,6 @@ static bool add(Found *found, const char *path, char *bytes, size_t size, const 
     }
     files[found->count++] = (FoundFile){name, bytes, size, broken};
     return true;
-}
-
-bool found_add(Found *found, const char *path, char *bytes, size_t size, Error *error)
-{
-    return add(found, path, bytes, size, NULL, error);
-}
-
-bool found_add_broken(Found *found, const char *path, const char *broken, Error *error)
-{
-    return add(found, path, NULL, 0, broken, error);
 }
 
 static void found_free(Found *found)

@@ -1,6 +1,6 @@
 // class_unpack: finds a student's steps in whatever was handed in.
 //
-//   archive or directory ──▶ archive.c / directory.c ──▶ Found: C files in memory ──▶ place.c, choose.c: which ones
+//   archive or directory ──▶ archive.c / directory.c ──▶ Found: C files in memory ──▶ choose.c: which ones
 //                                                     count ──▶ write.c ──▶ TO/<stage>/<step>.c
 //
 // Beside its steps a submission may hold files to include, of the student's own: C files and headers (.c, .h, .inl), in the
@@ -43,9 +43,8 @@ typedef struct {
 bool found_wants(const char *path);
 bool found_is_archive(const char *name);
 
-// Takes over the bytes. False when the bounds above are passed.
-bool found_add(Found *found, const char *path, char *bytes, size_t size, Error *error);
-bool found_add_broken(Found *found, const char *path, const char *broken, Error *error);
+// Takes over the bytes; of what is broken there are none. False when the bounds above are passed.
+bool found_add(Found *found, const char *path, char *bytes, size_t size, const char *broken, Error *error);
 bool found_count(Found *found, Error *error); // one more entry
 
 bool archive_find(const char *path, Found *found, Error *error);
@@ -62,7 +61,6 @@ typedef struct {
 } Place;
 
 Place place_of(const char *path);
-int place_rank(const Place *place, const char *path); // higher: likelier what is meant
 
 // Which file counts for each step.
 typedef struct {

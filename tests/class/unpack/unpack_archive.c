@@ -35,7 +35,7 @@ static bool read_entry(struct archive *archive, struct archive_entry *entry, con
                        Error *error)
 {
     if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry))
-        return found_add_broken(found, path, "is a link", error);
+        return found_add(found, path, NULL, 0, "is a link", error);
     char *bytes = malloc(MOST_FILE + 1);
     if (!bytes)
         return error_set(error, "no memory to read it");
@@ -45,10 +45,10 @@ static bool read_entry(struct archive *archive, struct archive_entry *entry, con
         size += (size_t)got;
     if (got < 0 || size > MOST_FILE) {
         free(bytes);
-        return got < 0 ? damaged(archive, error) : found_add_broken(found, path, "is larger than 1 MB", error);
+        return got < 0 ? damaged(archive, error) : found_add(found, path, NULL, 0, "is larger than 1 MB", error);
     }
     char *shorter = realloc(bytes, size + 1);
-    return found_add(found, path, shorter ? shorter : bytes, size, error);
+    return found_add(found, path, shorter ? shorter : bytes, size, NULL, error);
 }
 
 static const char *name_of(struct archive_entry *entry)

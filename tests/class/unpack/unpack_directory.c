@@ -24,7 +24,7 @@ static bool read_file(int directory, const char *name, const char *path, Found *
     if (broken) {
         if (file >= 0)
             close(file);
-        return found_add_broken(found, path, broken, error);
+        return found_add(found, path, NULL, 0, broken, error);
     }
     size_t size = 0, room = (size_t)state.st_size;
     char *bytes = malloc(room + 1);
@@ -32,7 +32,7 @@ static bool read_file(int directory, const char *name, const char *path, Found *
     while (bytes && size < room && (got = read(file, bytes + size, room - size)) > 0)
         size += (size_t)got;
     close(file);
-    return bytes ? found_add(found, path, bytes, size, error) : error_set(error, "no memory to read it");
+    return bytes ? found_add(found, path, bytes, size, NULL, error) : error_set(error, "no memory to read it");
 }
 
 static bool walk(int directory, const char *path, int depth, Found *found, Error *error);
@@ -53,7 +53,7 @@ static bool visit(int directory, const char *name, const char *above, int depth,
         return inside < 0 || walk(inside, path, depth + 1, found, error);
     }
     if (S_ISLNK(state.st_mode)) // one without an ending may lead to a folder
-        return (!found_wants(path) && strchr(name, '.')) || found_add_broken(found, path, "is a link", error);
+        return (!found_wants(path) && strchr(name, '.')) || found_add(found, path, NULL, 0, "is a link", error);
     if (S_ISREG(state.st_mode) && found_is_archive(name) && strlen(path) < sizeof found->archive) {
         snprintf(found->archive, sizeof found->archive, "%.1023s", path);
         found->archives++;

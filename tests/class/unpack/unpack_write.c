@@ -5,7 +5,6 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 
 // Folders come into being on the way.
@@ -29,12 +28,8 @@ static bool write_file(const char *to, int length, const char *folder, const cha
 
 const char *helper_path(const FoundFile *file, const Chosen *chosen)
 {
-    static const char *const endings[] = {".h", ".c", ".inl"};
     Place place = place_of(file->path);
-    const char *ending = strrchr(place.name, '.');
-    bool may_be = false;
-    for (size_t i = 0; ending && i < sizeof endings / sizeof *endings; i++)
-        may_be = may_be || strcasecmp(ending, endings[i]) == 0;
+    bool may_be = file_ends_in(file->path, ".h") || file_ends_in(file->path, ".c") || file_ends_in(file->path, ".inl");
     for (size_t i = 0; i < STEP_COUNT; i++) {
         if (!chosen->of[i] || !may_be || file->broken || place.step || (place.foreign && !chosen->foreign_too))
             continue;
