@@ -13,8 +13,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     // A copy without a byte behind it: reading on is seen.
     char *text = malloc(size ? size : 1);
     require(text != NULL);
-    for (size_t i = 0; i < size; i++)
-        text[i] = (char)data[i];
+    memcpy(text, data, size);
     Error error = {""};
     ObjMesh mesh;
     const char *materials[2] = {"red", "white"};

@@ -7,11 +7,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     Image image;
     Error error = {""};
     bool good = image_read_pfm_memory(&image, bytes, size, "fuzz.pfm", &error);
-    if (good &&
-        (error.message[0] || image.width < 1 || image.height < 1 || !image_check_finite(&image, "fuzz.pfm", &error)))
-        abort();
-    if (!good && (image.pixels || strncmp(error.message, "fuzz.pfm:", 9) != 0))
-        abort();
+    require(good ? !error.message[0] && image.width > 0 && image.height > 0 &&
+                       image_check_finite(&image, "fuzz.pfm", &error)
+                 : !image.pixels && strncmp(error.message, "fuzz.pfm:", 9) == 0);
     image_free(&image);
     return 0;
 }

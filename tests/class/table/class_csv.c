@@ -52,17 +52,12 @@ static char take_cell(char **at, char separator, char **cell)
     return end == '\r' ? '\n' : end;
 }
 
-static bool add_cell(Csv *csv, size_t *room, size_t count, char *cell)
+static bool add_cell(Csv *csv, size_t *room, size_t count, char *cell, const char *path, Error *error)
 {
     if (!array_reserve(&csv->cells, count + 1, room, sizeof cell))
-        return false;
+        return error_set(error, "%s: no memory", path);
     csv->cells[count] = cell;
     return true;
-}
-
-static bool is_blank_line(const char *at)
-{
-    return *at == '\n' || (at[0] == '\r' && at[1] == '\n');
 }
 
 static bool read_rows(Csv *csv, char *at, const char *path, Error *error)
@@ -70,26 +65,25 @@ static bool read_rows(Csv *csv, char *at, const char *path, Error *error)
     size_t room = 0, count = 0;
     char separator = separator_of(at);
     while (*at) {
-        if (is_blank_line(at)) {
-            at += *at == '\r' ? 2 : 1;
+        size_t in_row = 0, blank = *at == '\n' ? 1 : strncmp(at, "\r\n", 2) == 0 ? 2 : 0;
+        at += blank;
+        if (blank > 0)
             continue;
-        }
-        size_t in_row = 0;
         char end = separator;
         while (end == separator) {
             char *cell;
             end = take_cell(&at, separator, &cell);
             if (csv->rows > 0 && in_row == csv->columns && *cell)
                 return error_set(error, "%s: row %zu has more cells than the header", path, csv->rows + 1);
-            if ((csv->rows == 0 || in_row < csv->columns) && !add_cell(csv, &room, count++, cell))
-                return error_set(error, "%s: no memory", path);
+            if ((csv->rows == 0 || in_row < csv->columns) && !add_cell(csv, &room, count++, cell, path, error))
+                return false;
             in_row += csv->rows == 0 || in_row < csv->columns;
         }
         if (csv->rows++ == 0)
             csv->columns = in_row;
         for (; in_row < csv->columns; in_row++)
-            if (!add_cell(csv, &room, count++, ""))
-                return error_set(error, "%s: no memory", path);
+            if (!add_cell(csv, &room, count++, "", path, error))
+                return false;
     }
     return csv->rows > 0 || error_set(error, "%s: it has no header", path);
 }

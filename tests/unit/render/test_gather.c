@@ -24,20 +24,17 @@ typedef struct {
     Eye eye;
 } Gathering;
 
+FREED_AT_END(own_ends, IrradianceMap, irradiance_map_free)
+FREED_AT_END(own_cache, IrradianceCache, irradiance_cache_free)
+
 // Irradiance 1, 2, 3 W/m² wherever a gather ray ends.
 static void begin(Gathering *g, const char *text)
 {
     *g = (Gathering){.scene = scene_from_text(text), .options = {.glass_sides = 2}};
     g->options.settings.depth = 32;
-    g->final = (FinalGather){irradiance_map_uniform((Colour){1, 2, 3}), irradiance_cache_create(GATHER_ACCURACY, 4.0f),
-                             4.0f, 1e-4f};
+    g->final = (FinalGather){own_ends(irradiance_map_uniform((Colour){1, 2, 3})),
+                             own_cache(irradiance_cache_create(GATHER_ACCURACY, 4.0f)), 4.0f, 1e-4f};
     g->eye = (Eye){.scene = g->scene, .options = &g->options, .final = &g->final, .rng = rng_create(1, 1)};
-}
-
-static void end(Gathering *g)
-{
-    irradiance_map_free(g->final.ends);
-    irradiance_cache_free(g->final.cache);
 }
 
 static IrradianceEstimate estimate_at(Gathering *g, float x)
@@ -61,7 +58,6 @@ TEST(uniform_surroundings_give_pi_l)
         assert_within((double)colour_channel(estimate.irradiance, c), expected[c], 1e-5, "E");
         assert_within((double)vec3_length(estimate.translation[c]), 0.0, 1e-4, "slope along the floor");
     }
-    end(&g);
 }
 
 // Under a ceiling at height 1, white for x > 0 and black for x < 0, E = ½(1 + x/√(1+x²))·ρE₀; its slope at x = 0 is
@@ -80,13 +76,12 @@ TEST(slope_under_a_ceiling_of_two_halves)
     assert_within(value, 0.5, 0.01, "E between the halves");
     assert_within(slope, 0.5, 0.05, "slope across the edge");
     assert_within(across, 0.0, 0.05, "slope along the edge");
-    end(&g);
 }
 
 // An estimate serves within accuracy × reach, and where the normal is the same.
 TEST(an_estimate_serves_as_far_as_it_reaches)
 {
-    IrradianceCache *cache = irradiance_cache_create(0.25f, 4.0f);
+    IrradianceCache *cache = own_cache(irradiance_cache_create(0.25f, 4.0f));
     IrradianceEstimate estimate = {
         .position = vec3(0.3f, 0, 0.1f), .normal = vec3(0, 1, 0), .irradiance = {1, 2, 3}, .reach = 0.4f};
     assert_true(irradiance_cache_add(cache, &estimate));
@@ -98,7 +93,6 @@ TEST(an_estimate_serves_as_far_as_it_reaches)
         assert_false(irradiance_cache_find(cache, vec3_along(estimate.position, way, 0.102f), vec3(0, 1, 0), &found));
     }
     assert_false(irradiance_cache_find(cache, estimate.position, vec3(0, 0, 1), &found));
-    irradiance_cache_free(cache);
 }
 
 // However steep, no slope makes light of nothing or an explosion.

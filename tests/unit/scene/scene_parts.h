@@ -1,8 +1,10 @@
-// What the tests of the scene loader share: the small parts of a scene.
+// What the tests of the scene loader share: the small parts of a scene, and a folder that is there while they run.
 #ifndef PHOTONLAB_TESTS_SCENE_PARTS_H
 #define PHOTONLAB_TESTS_SCENE_PARTS_H
 
 #include "unit/test_common.h"
+
+#include <unistd.h>
 
 #define CAMERA "camera: {position: [0, 0, 3.9], target: [0, 0, 0], vertical_fov: 39.3077}\n"
 #define LIGHT  "lights:\n  - {type: point, position: [0, 1, 0], power: [1, 2, 3]}\n"
@@ -14,5 +16,19 @@ static inline void assert_vector(Vec3 v, float x, float y, float z)
     assert_near(v.y, y, 1e-5);
     assert_near(v.z, z, 1e-5);
 }
+
+static char temporary[] = "/tmp/photonlab_test_XXXXXX";
+
+FIXTURE(make_folder)
+{
+    return mkdtemp(temporary) ? 0 : -1;
+}
+
+FIXTURE(remove_folder)
+{
+    return rmdir(temporary);
+}
+
+AROUND_TESTS(make_folder, remove_folder)
 
 #endif

@@ -1,6 +1,5 @@
 // Scenes for other renderers: what is refused, what is told, what a mesh holds.
 #include "unit/scene/scene_parts.h"
-#include "unit/scene/temporary_folder.h"
 #include "scene/export/export.h"
 #include "scene/material_kind.h"
 #include "base/file.h"

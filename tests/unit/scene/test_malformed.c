@@ -1,11 +1,9 @@
 // Every malformed scene and mesh is refused, at the right place and in the right words, without a crash (run this under
 // sanitizers too). Works from the top folder: tests/malformed/ holds one small file per fault, expected.inc the words.
 #include "unit/scene/scene_parts.h"
-#include "unit/scene/temporary_folder.h"
 
 #include <dirent.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #define FOLDER "tests/malformed/"
 

@@ -1,8 +1,5 @@
 // Shapes and meshes as flats of a scene: closed, turned and placed as the file says.
 #include "unit/scene/scene_parts.h"
-#include "unit/scene/temporary_folder.h"
-
-#include <unistd.h>
 
 static Scene *load_shape(const char *shape)
 {
