@@ -90,6 +90,18 @@ double drawn_magnitude(uint64_t seed, int use, double low, double high)
     return (double)(float)exp(drawn_input(seed, use, log(low), log(high)));
 }
 
+const char *words(const char *format, ...)
+{
+    static char texts[8][300];
+    static int next;
+    char *text = texts[next++ % 8];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof texts[0], format, arguments);
+    va_end(arguments);
+    return text;
+}
+
 void finding_fail(Finding *finding, long failing_case, const char *format, ...)
 {
     if (finding->failed)

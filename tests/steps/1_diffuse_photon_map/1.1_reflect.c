@@ -1,8 +1,6 @@
 // Step 1.1: r = d − 2(d·n)n.
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 typedef struct {
     Vec3d direction, normal;
 } Mirror;
@@ -38,9 +36,7 @@ static void plan_mirror(Plan *plan, int i)
 
 static const char *inputs_of(Mirror m)
 {
-    static char text[160];
-    snprintf(text, sizeof text, "d = %s, n = %s", text_of(m.direction), text_of(m.normal));
-    return text;
+    return words("d = %s, n = %s", text_of(m.direction), text_of(m.normal));
 }
 
 static void plan_table(Plan *plan)

@@ -1,8 +1,6 @@
 // Step 1.2: uniform on the rectangle, cosine about its normal, the light's whole power.
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 typedef struct {
     Vec3d corner, u, v, radiance;
 } Lamp;
@@ -23,7 +21,7 @@ static const Lamp lamps[] = {
 typedef struct {
     Vec3d corner, u, v, direction, power;
     double size;
-    char inputs[120];
+    const char *inputs;
 } Lit;
 
 static Lit lit(int i)
@@ -34,7 +32,7 @@ static Lit lit(int i)
     l.direction = vec3d_unit(across);
     l.power = vec3d_along(vec3d(0, 0, 0), lamps[i].radiance, (double)PI * area);
     l.size = sqrt(area);
-    snprintf(l.inputs, sizeof l.inputs, "the light with edges %s and %s", text_of(l.u), text_of(l.v));
+    l.inputs = words("the light with edges %s and %s", text_of(l.u), text_of(l.v));
     return l;
 }
 

@@ -1,8 +1,6 @@
 // Step 1.3: density cosθ/π about the normal.
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 // Up, down, along the axes, slanted, and near the poles, where a frame may break.
 static const Vec3d normals[] = {
     {0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}, {0.48, -0.64, 0.6}, {0.02, 0, 0.9998}, {0.012, 0.016, -0.9998},
@@ -19,9 +17,7 @@ static Vec3d normal_of(int i, uint64_t seed)
 
 static const char *inputs_of(Vec3d normal)
 {
-    static char text[100];
-    snprintf(text, sizeof text, "n = %s", text_of(normal));
-    return text;
+    return words("n = %s", text_of(normal));
 }
 
 static void plan_normal(Plan *plan, int i, long samples)

@@ -1,8 +1,6 @@
 // Step 1.4: a share p = min(1, ΣΦρ/ΣΦ) survives, with power Φρ/p.
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 typedef struct {
     Vec3d power, reflectance;
 } Bounce;
@@ -42,9 +40,7 @@ static Vec3d reflected(const Bounce *b)
 
 static const char *inputs_of(const Bounce *b)
 {
-    static char text[160];
-    snprintf(text, sizeof text, "Φ = %s W, ρ = %s", text_of_power(b->power), text_of(b->reflectance));
-    return text;
+    return words("Φ = %s W, ρ = %s", text_of_power(b->power), text_of(b->reflectance));
 }
 
 static void plan_bounces(Plan *plan, const Bounce *list, int count, long samples)

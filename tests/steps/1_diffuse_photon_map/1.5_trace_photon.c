@@ -1,8 +1,6 @@
 // Step 1.5: the life of a photon, as a loop.
 #include "judge/checks/path_scenes.h"
 
-#include <math.h>
-
 #define GLASS_PHOTONS 20000
 
 static void plan_glass(Plan *plan)

@@ -2,7 +2,6 @@
 #include "judge/checks/directions.h"
 #include "judge/checks/pictures.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
 #define MOST  700
@@ -180,14 +179,14 @@ static Vec3d brute_force(int number, uint64_t seed)
 }
 
 // The channel that is farthest off, by its ratio.
-static void describe_ratio(const float *found, Vec3d expected, char *text, size_t size)
+static const char *ratio_words(const float *found, Vec3d expected)
 {
     static const char *const names[] = {"red", "green", "blue"};
     double ratio[3] = {(double)found[0] / expected.x, (double)found[1] / expected.y, (double)found[2] / expected.z};
     int worst = 0;
     for (int c = 1; c < 3; c++)
         worst = fabs(ratio[c] - 1.0) > fabs(ratio[worst] - 1.0) + 1e-4 ? c : worst;
-    snprintf(text, size, ", in %s %.4g times the expected", names[worst], ratio[worst]);
+    return words(", in %s %.4g times the expected", names[worst], ratio[worst]);
 }
 
 // Ratios tell the mistakes apart: 3, π, r, a cosine. Where nothing is to be found there is none: an answer of 0/0 there
@@ -203,14 +202,10 @@ static void judge_scenery(int i, const Results *results, Finding *finding)
         finding_ratios(finding, found, (const double[]){expected.x, expected.y, expected.z}, 3);
     for (int call = 0; found && call < CALLS; call++)
         if (all_finite(found + 3 * call, 3, "a radiance", what, i, finding) &&
-            vec3d_length(vec3d_along(vec3d_of(found + 3 * call), expected, -1.0)) > 2e-3 * largest) {
-            char times[60] = "";
-            if (lit)
-                describe_ratio(found + 3 * call, expected, times, sizeof times);
+            vec3d_length(vec3d_along(vec3d_of(found + 3 * call), expected, -1.0)) > 2e-3 * largest)
             finding_fail(finding, i, "for %s%s: expected %s W/(m²·sr), found %s%s", what,
                          call ? ", asked a second time with the same Gather" : "", text_of_power(expected),
-                         text_of_power(vec3d_of(found + 3 * call)), times);
-        }
+                         text_of_power(vec3d_of(found + 3 * call)), lit ? ratio_words(found + 3 * call, expected) : "");
     double scale[3] = {expected.x, expected.y, expected.z};
     for (int c = 0; i < SCENERIES && lit && c < 3; c++)
         finding_feature(finding, found ? (double)found[c] / scale[c] - 1.0 : (double)NAN, 0.0);

@@ -1,8 +1,6 @@
 // Step 2.1: density (n+1)/(2π)·cosⁿα about +z.
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 static const double exponents[] = {0, 1, 5, 20, 100, 1000, 0.5, 2.5, 7.3};
 #define EXPONENTS (int)(sizeof exponents / sizeof *exponents)
 #define SAMPLES   20000
@@ -23,8 +21,7 @@ static double lobe(Vec3d d, const void *exponent)
 static void judge_density(const Results *results, Finding *finding)
 {
     for (int i = 0; i < EXPONENTS; i++) {
-        char inputs[40];
-        snprintf(inputs, sizeof inputs, "n = %g", exponents[i]);
+        const char *inputs = words("n = %g", exponents[i]);
         DirectionCount count;
         directions_begin(&count, &(DirectionDensity){up, exponents[i] + 1.0, lobe, &exponents[i]});
         Sums below = {0, 0, 0}, x = {0, 0, 0}, y = {0, 0, 0};
@@ -75,8 +72,7 @@ static void plan_sharp(Plan *plan)
 static void judge_sharp(const Results *results, Finding *finding)
 {
     for (int i = 0; i < SHARP; i++) {
-        char inputs[40];
-        snprintf(inputs, sizeof inputs, "n = %g", sharp[i]);
+        const char *inputs = words("n = %g", sharp[i]);
         Sums sine2 = {0, 0, 0};
         const float *d = numbers_of(results, (size_t)i, 3 * A_FEW, finding);
         for (long s = 0; d && s < A_FEW; s++, d += 3) {

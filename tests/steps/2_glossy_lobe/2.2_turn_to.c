@@ -1,8 +1,6 @@
 // Step 2.2: from about +z to about an axis.
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 // Both poles, the other axes, slanted, and near the poles, where a cross product with z loses its length.
 static const Vec3d axes[] = {
     {0, 0, 1},    {0, 0, -1},         {1, 0, 0},          {-1, 0, 0},     {0, 1, 0},
@@ -23,9 +21,7 @@ static Vec3d axis_of(int i, uint64_t seed)
 
 static const char *inputs_of(Vec3d local, Vec3d axis)
 {
-    static char text[160];
-    snprintf(text, sizeof text, "local = %s, axis = %s", text_of(local), text_of(axis));
-    return text;
+    return words("local = %s, axis = %s", text_of(local), text_of(axis));
 }
 
 static void plan_turn(Plan *plan, Vec3d local, Vec3d axis)

@@ -1,8 +1,6 @@
 // Step 3.1: Snell's law, in double precision, over a table of indices and angles.
 #include "judge/checks/path_batches.h"
 
-#include <math.h>
-
 static const double etas[] = {1.0 / 2.42, 1.0 / 1.5, 1.0, 1.5, 2.42};
 static const double degrees[] = {0, 0.5, 10, 24, 24.8, 30, 41.5, 42.2, 60, 80, 89};
 #define ETAS      5

@@ -1,8 +1,6 @@
 // Step 3.2: Fresnel reflectance, in double precision, over a table of indices and angles.
 #include "judge/checks/path_batches.h"
 
-#include <math.h>
-
 static const double etas[] = {1.0 / 2.42, 1.0 / 1.5, 1.0 / 1.33, 1.0, 1.33, 1.5, 2.42};
 #define ETAS 7
 // cosθ_i. Among them cos of 24° and 24.8°, and of 41.5° and 42.2°: below and above the critical angles of 2.42 and 1.5.

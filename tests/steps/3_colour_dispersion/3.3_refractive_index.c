@@ -1,8 +1,6 @@
 // Step 3.3: a table of glasses and colours.
 #include "judge/checks/step_checks.h"
 
-#include <math.h>
-
 static const double glasses[][3] = {
     {1.2, 1.5, 2.4}, {1.78133, 1.79132, 1.81369}, {1.5, 1.5, 1.5}, {1.7, 1.4, 1.3}, {1.331, 1.335, 1.343}};
 #define KNOWN   5

@@ -1,9 +1,6 @@
 // Step 3.4: the life of a photon, as a recursion that carries the colour.
 #include "judge/checks/path_scenes.h"
 
-#include <math.h>
-#include <stdio.h>
-
 #define PHOTONS 20000
 
 // A white beam at one face of glass: F_c and their mean, per channel.
@@ -33,27 +30,24 @@ static Face face(double sin_i, const double index[3], bool entering, double z, d
 // Reflected photons: white, on `material`, Φ_c·F_c/F̄ each.
 static void expect_reflected(PathCase *c, const Face *f, int material)
 {
-    char what[200];
     const double place[3] = {0.5 * f->sin_i / f->cos_i, 0.5 * f->up, f->z};
     const double from[3] = {-f->sin_i, -f->up * f->cos_i, 0.0};
     Landed landed = {{0}, place, from};
     for (int i = 0; i < 3; i++)
         landed.flux[i] = scene_power[i] * f->reflected[i] / f->mean / f->share;
-    snprintf(what, sizeof what, "reflected white by the mean of the three Fresnel shares, %s", f->where);
-    expect_share(c, c->batch.stored[material][WHITE].count, f->share * f->mean, what);
-    snprintf(what, sizeof what, "white photons (power times F_c over the mean F), reflected %s,", f->where);
-    expect_landed(c, &c->batch.stored[material][WHITE], &landed, what);
-    snprintf(what, sizeof what, "coloured though reflected, %s", f->where);
+    expect_share(c, c->batch.stored[material][WHITE].count, f->share * f->mean,
+                 words("reflected white by the mean of the three Fresnel shares, %s", f->where));
+    expect_landed(c, &c->batch.stored[material][WHITE], &landed,
+                  words("white photons (power times F_c over the mean F), reflected %s,", f->where));
     double coloured = 0.0;
     for (int i = 0; i < 3; i++)
         coloured += c->batch.stored[material][RED + i].count;
-    expect_share(c, coloured, 0.0, what);
+    expect_share(c, coloured, 0.0, words("coloured though reflected, %s", f->where));
 }
 
 // Refracted photons: each white one becomes one of each colour that gets through, with Φ_c·(1−F_c)/(1−F̄).
 static void expect_refracted(PathCase *c, const Face *f, int material)
 {
-    char what[200];
     for (int i = 0; i < 3; i++) {
         const BatchSum *sum = &c->batch.stored[material][RED + i];
         double sin_t = fmin(1.0, f->sin_i * f->eta[i]), cos_t = exact_cos_t(f->cos_i, f->eta[i]);
@@ -61,17 +55,16 @@ static void expect_refracted(PathCase *c, const Face *f, int material)
         Landed landed = {{0}, place, from};
         landed.flux[i] = scene_power[i] * (1.0 - f->reflected[i]) / (1.0 - f->mean) / f->share;
         bool total = f->reflected[i] >= 1.0;
-        snprintf(what, sizeof what, total ? "of %s (total reflection) through, %s" : "of %s refracted, %s",
-                 channel_names[i], f->where);
-        expect_share(c, sum->count, total ? 0.0 : f->share * (1.0 - f->mean), what);
+        expect_share(
+            c, sum->count, total ? 0.0 : f->share * (1.0 - f->mean),
+            words(total ? "of %s (total reflection) through, %s" : "of %s refracted, %s", channel_names[i], f->where));
         if (total)
             continue;
-        snprintf(what, sizeof what, "%s photons (power times (1-F_c)/(1-mean F)), refracted by their own index %s,",
-                 channel_names[i], f->where);
-        expect_landed(c, sum, &landed, what);
+        expect_landed(c, sum, &landed,
+                      words("%s photons (power times (1-F_c)/(1-mean F)), refracted by their own index %s,",
+                            channel_names[i], f->where));
     }
-    snprintf(what, sizeof what, "white behind dispersing glass, %s", f->where);
-    expect_share(c, c->batch.stored[material][WHITE].count, 0.0, what);
+    expect_share(c, c->batch.stored[material][WHITE].count, 0.0, words("white behind dispersing glass, %s", f->where));
 }
 
 static void plan_entering(Plan *plan)
@@ -138,7 +131,6 @@ static void plan_slab(Plan *plan)
 // Through both faces: (1−F̄) at the first, where white splits, (1−F_c) at the second, where nothing splits.
 static void expect_through(PathCase *c, const Face *f, int screen)
 {
-    char what[200];
     for (int i = 0; i < 3; i++) {
         const BatchSum *sum = &c->batch.stored[screen][RED + i];
         double sin_t = f->sin_i * f->eta[i], cos_t = exact_cos_t(f->cos_i, f->eta[i]);
@@ -146,10 +138,9 @@ static void expect_through(PathCase *c, const Face *f, int screen)
         const double from[3] = {-f->sin_i, f->cos_i, 0.0};
         Landed landed = {{0}, place, from};
         landed.flux[i] = scene_power[i] * (1.0 - f->reflected[i]) / (1.0 - f->mean);
-        snprintf(what, sizeof what, "of %s through both faces of a slab", channel_names[i]);
-        expect_share(c, sum->count, (1.0 - f->mean) * (1.0 - f->reflected[i]), what);
-        snprintf(what, sizeof what, "%s photons behind both faces of a slab", channel_names[i]);
-        expect_landed(c, sum, &landed, what);
+        expect_share(c, sum->count, (1.0 - f->mean) * (1.0 - f->reflected[i]),
+                     words("of %s through both faces of a slab", channel_names[i]));
+        expect_landed(c, sum, &landed, words("%s photons behind both faces of a slab", channel_names[i]));
     }
     expect_share(c, c->batch.stored[screen][WHITE].count, 0.0, "white behind both faces of a slab that disperses");
 }

@@ -1,7 +1,6 @@
 // Step 3.5: what becomes of white and of coloured photons in two kinds of glass.
 #include "judge/checks/step_checks.h"
 
-#include <math.h>
 #include <string.h>
 
 #define CALLS   2 // of each case

@@ -1,8 +1,6 @@
 // Step 4.1: in cell (ring j, sector k), sin²θ = (j + u)/M and φ = 2π(k + v)/N.
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 #define M      GATHER_RINGS
 #define N      GATHER_SECTORS
 #define A_FEW  20
@@ -25,9 +23,7 @@ static Place place_of(const float *d, int ring, int sector)
 
 static const char *cell_words(int ring, int sector)
 {
-    static char text[60];
-    snprintf(text, sizeof text, "ring %d, sector %d", ring, sector);
-    return text;
+    return words("ring %d, sector %d", ring, sector);
 }
 
 static void plan_cell(Plan *plan, int ring, int sector, long count)

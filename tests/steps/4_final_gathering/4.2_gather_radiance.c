@@ -2,8 +2,6 @@
 #include "judge/checks/directions.h"
 #include "judge/checks/path_batches.h"
 
-#include <stdio.h>
-
 #define SCENE "tests/steps/scenes/gather.yaml"
 #define TRIES 6    // rays of a station, beside each other
 #define CALLS 4000 // of each ray where chance decides

@@ -2,8 +2,6 @@
 // without a ceiling whose walls tell by colour and distance which cell looks where.
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 #define SCENE  "tests/steps/scenes/gather_room.yaml"
 #define M      GATHER_RINGS
 #define N      GATHER_SECTORS
@@ -169,19 +167,16 @@ static bool is_distance(const View *view, double distance)
 
 static const char *cell_words(const Point *point, int ring, int sector)
 {
-    static char text[120];
-    snprintf(text, sizeof text, "for %s, cell (ring %d, sector %d)", point->what, ring, sector);
-    return text;
+    return words("for %s, cell (ring %d, sector %d)", point->what, ring, sector);
 }
 
 static void judge_distance(const Point *point, const View *view, int cell, double found, long number, Finding *finding)
 {
     const char *where = cell_words(point, cell / N, cell % N);
-    char expected[80] = "of INFINITY", text[40];
-    snprintf(text, sizeof text, isinf(found) ? "INFINITY" : "%.4g", found);
+    const char *expected = "of INFINITY", *text = words(isinf(found) ? "INFINITY" : "%.4g", found);
     if (view->most > 0.0)
-        snprintf(expected, sizeof expected, "between %.2f m and %.2f m%s", view->least, view->most,
-                 view->some_open ? ", or INFINITY" : "");
+        expected =
+            words("between %.2f m and %.2f m%s", view->least, view->most, view->some_open ? ", or INFINITY" : "");
     if (found == -77.0)
         finding_fail(finding, number, "%s: expected a distance in seen->distance; found it left as it was", where);
     else

@@ -1,8 +1,6 @@
 // Step 4.4: the harmonic mean of the distances, within its bounds.
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 #define CELLS_ALL (GATHER_RINGS * GATHER_SECTORS)
 
 typedef struct {

@@ -1,8 +1,6 @@
 // Step 5.1: r_{i+1} = r_i √((i + α)/(i + 1)).
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 typedef struct {
     double radius, pass, alpha;
 } Pass;
@@ -39,8 +37,7 @@ static void judge_radius(const Results *results, Finding *finding)
         Pass p = pass_of(i, results->seed);
         double expected = p.radius * sqrt((p.pass + p.alpha) / (p.pass + 1.0));
         const float *found = numbers_of(results, (size_t)i, CALLS, finding);
-        char inputs[100];
-        snprintf(inputs, sizeof inputs, "r = %.7g m in pass %.0f, α = %.7g", p.radius, p.pass, p.alpha);
+        const char *inputs = words("r = %.7g m in pass %.0f, α = %.7g", p.radius, p.pass, p.alpha);
         bool sound = found && all_finite(found, CALLS, "a radius", inputs, i, finding);
         for (int call = 0; sound && call < CALLS; call++)
             if (!(fabs((double)found[call] - expected) <= 4e-6 * expected)) // room for logarithms in float

@@ -1,8 +1,6 @@
 // Step 5.2: the mean over two runs of passes, (m·a + n·b)/(m + n).
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 typedef struct {
     double a[3], m, b[3], n;
 } Runs;
@@ -62,9 +60,8 @@ static void judge_mean(const Results *results, Finding *finding)
         Runs r = runs_of(i, results->seed);
         double mean[3], largest = expect(&r, mean);
         const float *found = numbers_of(results, (size_t)i, 3 * CALLS, finding);
-        char inputs[240];
-        snprintf(inputs, sizeof inputs, "a = (%.5g, %.5g, %.5g) over %.0f passes, b = (%.5g, %.5g, %.5g) over %.0f",
-                 r.a[0], r.a[1], r.a[2], r.m, r.b[0], r.b[1], r.b[2], r.n);
+        const char *inputs = words("a = (%.5g, %.5g, %.5g) over %.0f passes, b = (%.5g, %.5g, %.5g) over %.0f", r.a[0],
+                                   r.a[1], r.a[2], r.m, r.b[0], r.b[1], r.b[2], r.n);
         for (int call = 0; found && call < CALLS; call++)
             vector_is(found + 3 * call, vec3d(mean[0], mean[1], mean[2]), 2e-6 * largest, inputs, i, finding);
         for (int c = 0; i < KNOWN && c < 3; c++)

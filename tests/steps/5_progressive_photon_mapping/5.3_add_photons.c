@@ -1,8 +1,6 @@
 // Step 5.3: N' = N + αM, R'² = R²·(N + αM)/(N + M), τ' = (τ + Φ)·R'²/R².
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 typedef struct {
     double count, radius, before[3]; // N, R, τ
     double found, flux[3], alpha;    // M, Φ, α
@@ -90,10 +88,9 @@ static void judge_statistics(const Results *results, Finding *finding)
         double expected[NUMBERS];
         expect(&p, expected);
         const float *found = numbers_of(results, (size_t)i, CALLS * NUMBERS, finding);
-        char inputs[280];
-        snprintf(inputs, sizeof inputs,
-                 "N = %.7g, R = %.7g m, τ = (%.5g, %.5g, %.5g), M = %.0f, Φ = (%.5g, %.5g, %.5g), α = %.5g", p.count,
-                 p.radius, p.before[0], p.before[1], p.before[2], p.found, p.flux[0], p.flux[1], p.flux[2], p.alpha);
+        const char *inputs =
+            words("N = %.7g, R = %.7g m, τ = (%.5g, %.5g, %.5g), M = %.0f, Φ = (%.5g, %.5g, %.5g), α = %.5g", p.count,
+                  p.radius, p.before[0], p.before[1], p.before[2], p.found, p.flux[0], p.flux[1], p.flux[2], p.alpha);
         for (int call = 0; found && call < CALLS; call++)
             judge_point(found + call * NUMBERS, expected, inputs, i, finding);
         for (int n = 0; i < KNOWN && n < NUMBERS; n++)

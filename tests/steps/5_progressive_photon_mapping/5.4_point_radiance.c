@@ -1,8 +1,6 @@
 // Step 5.4: L = τ/(passes · πR²).
 #include "judge/checks/directions.h"
 
-#include <stdio.h>
-
 typedef struct {
     double count, radius, flux[3], passes;
 } Point;
@@ -45,9 +43,8 @@ static void judge_radiance(const Results *results, Finding *finding)
         double scale = 1.0 / (p.passes * pi * p.radius * p.radius);
         double largest = fmax(p.flux[0], fmax(p.flux[1], p.flux[2])) * scale;
         const float *found = numbers_of(results, (size_t)i, 3 * CALLS, finding);
-        char inputs[160];
-        snprintf(inputs, sizeof inputs, "N = %.5g, R = %.7g m, τ = (%.5g, %.5g, %.5g) after %.0f passes", p.count,
-                 p.radius, p.flux[0], p.flux[1], p.flux[2], p.passes);
+        const char *inputs = words("N = %.5g, R = %.7g m, τ = (%.5g, %.5g, %.5g) after %.0f passes", p.count, p.radius,
+                                   p.flux[0], p.flux[1], p.flux[2], p.passes);
         for (int call = 0; found && call < CALLS; call++)
             vector_is(found + 3 * call, vec3d(p.flux[0] * scale, p.flux[1] * scale, p.flux[2] * scale), 4e-6 * largest,
                       inputs, i, finding);

@@ -2,8 +2,6 @@
 #include "judge/checks/directions.h"
 #include "scene/glass_catalogue.h"
 
-#include <stdio.h>
-
 // Two of Cauchy's form before the catalogue's.
 static const double cauchy[][2] = {{1.5046, 0.0042}, {1.74, 0.018}};
 #define CAUCHY      2
@@ -51,8 +49,7 @@ static void judge_index(const Results *results, Finding *finding)
         const SellmeierGlass *glass = glass_of(i / WAVELENGTHS);
         double wavelength = wavelength_of(i, results->seed), expected = expected_index(i / WAVELENGTHS, wavelength);
         const float *found = numbers_of(results, (size_t)i, 1, finding);
-        char inputs[100];
-        snprintf(inputs, sizeof inputs, "%s at %.4g nm", glass ? glass->name : "glass of Cauchy's form", wavelength);
+        const char *inputs = words("%s at %.4g nm", glass ? glass->name : "glass of Cauchy's form", wavelength);
         if (found && all_finite(found, 1, "an index", inputs, i, finding) &&
             !(fabs((double)*found - expected) <= 1e-5 * expected))
             finding_fail(finding, i, "for %s: expected the index %.6f, found %.6f", inputs, expected, (double)*found);

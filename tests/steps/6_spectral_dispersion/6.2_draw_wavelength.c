@@ -2,8 +2,6 @@
 #include "judge/checks/directions.h"
 #include "scene/spectrum.h"
 
-#include <stdio.h>
-
 #define DRAWS_EVEN 24 // from 0 on; more by the seed
 #define DRAWS_ALL  40
 
@@ -32,8 +30,7 @@ static void judge_draws(const Results *results, Finding *finding)
         double wavelength = (double)WAVELENGTH_MIDDLE + (double)WAVELENGTH_SPREAD * atanh(t);
         double weight = (double)WAVELENGTH_SPREAD * (last - first) / (1.0 - t * t) / (double)WAVELENGTH_RANGE;
         const float *found = numbers_of(results, (size_t)i, 2, finding);
-        char inputs[60];
-        snprintf(inputs, sizeof inputs, "u = %.4g", u);
+        const char *inputs = words("u = %.4g", u);
         bool sound = found && all_finite(found, 2, "wavelength and weight", inputs, i, finding);
         if (sound && !(fabs((double)found[0] - wavelength) <= 0.01))
             finding_fail(finding, i, "for %s: expected %.2f nm, found %.2f", inputs, wavelength, (double)found[0]);

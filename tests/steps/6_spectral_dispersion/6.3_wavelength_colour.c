@@ -2,8 +2,6 @@
 #include "judge/checks/directions.h"
 #include "scene/spectrum.h"
 
-#include <stdio.h>
-
 #define STEP_NM     5
 #define WAVELENGTHS 71 // 380 … 730 nm
 #define MORE        20 // by the seed
@@ -45,8 +43,7 @@ static void judge_colours(const Results *results, Finding *finding)
         double expected[3], wavelength = wavelength_of(i, results->seed);
         expected_colour(wavelength, expected);
         const float *found = numbers_of(results, (size_t)i, 3, finding);
-        char inputs[60];
-        snprintf(inputs, sizeof inputs, "light of %.4g nm", wavelength);
+        const char *inputs = words("light of %.4g nm", wavelength);
         if (found)
             vector_is(found, vec3d(expected[0], expected[1], expected[2]), 2e-4, inputs, i, finding);
         for (int c = 0; i < WAVELENGTHS && c < 3; c++) {

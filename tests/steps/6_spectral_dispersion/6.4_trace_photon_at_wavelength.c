@@ -3,8 +3,6 @@
 #include "scene/glass_catalogue.h"
 #include "scene/spectrum.h"
 
-#include <math.h>
-
 #define PHOTONS 20000
 
 // wavelength.yaml
