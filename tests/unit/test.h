@@ -108,6 +108,18 @@ static inline void *kept(const void *value, size_t size)
     return memcpy(memory(1, size), value, size);
 }
 
+// As printf words it, up to 4095 bytes.
+static inline char *words(const char *format, ...) PRINTF_LIKE(1, 2);
+static inline char *words(const char *format, ...)
+{
+    char *text = memory(1, 4096);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, 4096, format, arguments);
+    va_end(arguments);
+    return text;
+}
+
 static inline void write_text(const char *path, const char *text)
 {
     FILE *file = fopen(path, "w");

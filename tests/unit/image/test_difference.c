@@ -2,8 +2,6 @@
 #include "image/difference.h"
 #include "unit/image/image_helpers.h"
 
-#include <math.h>
-
 static const ImageMask NO_MASK = {0, 0, 0, 0};
 
 static Image difference_of(const Image *image, const Image *reference, float scale)

@@ -5,7 +5,6 @@
 
 #include <dirent.h>
 #include <float.h>
-#include <math.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>

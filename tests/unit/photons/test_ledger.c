@@ -44,9 +44,8 @@ static void check_scene(const Scene *scene, const char *name)
 {
     for (int i = 0; i < 6; i++) {
         StepChoice play = {i & 1 ? GLOSSY_SOURCE_TEXT : GLOSSY_PHONG, i / 2};
-        char what[300];
         static const char *const loops[] = {[LOOP_COLOUR] = "3.4", [LOOP_PLAIN] = "1.5", [LOOP_WAVELENGTH] = "6.4"};
-        snprintf(what, sizeof what, "%s with steps %s,%s", name, i & 1 ? "2.3" : "2.4", loops[play.loop]);
+        const char *what = words("%s with steps %s,%s", name, i & 1 ? "2.3" : "2.4", loops[play.loop]);
         PhotonPass pass = photons_of(scene, PHOTONS, 1, play);
         check_ledger(&pass.ledger, what);
         check_photons(&pass, scene, play, what);

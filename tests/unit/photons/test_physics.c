@@ -6,21 +6,19 @@
 static Scene *prism_scene(double incidence)
 {
     double turn = (30.0 - incidence) / DEGREES; // the face's normal, inwards, lies at 30° to +x
-    char text[1024];
-    snprintf(text, sizeof text,
-             "camera: {position: [0, 0.5, 0.001], target: [0, 0, 0], vertical_fov: 40}\n"
-             "render: {depth: 200}\n"
-             "materials:\n"
-             "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"
-             "  - {name: flint, type: glass, glass: N-SF11}\n"
-             "lights:\n"
-             "  - {type: beam, position: [%.7f, 0, %.7f], target: [-0.015, 0, 0], radius: 0.001, power: [1, 1, 1]}\n"
-             "shapes:\n"
-             "  - {type: prism, apex: [0, 0, -0.025981], axis: [0, 1, 0], down: [0, 0, 1], angle: 60, side: 0.06, "
-             "length: 0.08, material: flint}\n"
-             "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: black}\n",
-             -0.015 - 0.3 * cos(turn), -0.3 * sin(turn));
-    return scene_from_text(text);
+    return scene_from_text(
+        words("camera: {position: [0, 0.5, 0.001], target: [0, 0, 0], vertical_fov: 40}\n"
+              "render: {depth: 200}\n"
+              "materials:\n"
+              "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"
+              "  - {name: flint, type: glass, glass: N-SF11}\n"
+              "lights:\n"
+              "  - {type: beam, position: [%.7f, 0, %.7f], target: [-0.015, 0, 0], radius: 0.001, power: [1, 1, 1]}\n"
+              "shapes:\n"
+              "  - {type: prism, apex: [0, 0, -0.025981], axis: [0, 1, 0], down: [0, 0, 1], angle: 60, side: 0.06, "
+              "length: 0.08, material: flint}\n"
+              "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: black}\n",
+              -0.015 - 0.3 * cos(turn), -0.3 * sin(turn)));
 }
 
 // Share of unpolarised light that gets through one face: Fresnel's formulas with angles (radians) instead of indices.

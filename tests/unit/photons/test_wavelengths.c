@@ -38,20 +38,18 @@ TEST(a_grey_box_stays_white)
 // Behind four panes that disperse, but hardly reflect, every wavelength flies as before, and carries what the eight faces let through.
 TEST(panes_stay_white)
 {
-    char text[2000];
-    snprintf(text, sizeof text,
-             "camera: {position: [0, 0, 4], target: [0, 0, 0], vertical_fov: 60}\n"
-             "render: {depth: 9}\n"
-             "materials: [{name: black, type: diffuse, reflectance: [0, 0, 0]}, {name: white, type: diffuse, "
-             "reflectance: [1, 1, 1]}, {name: flint, type: glass, index_d: 1.1, abbe: 10}]\n"
-             "lights: [{type: beam, position: [0, 0, 2], target: [0.5, 0, 0], radius: 0.01, power: [1, 1, 1]}]\n"
-             "shapes:\n"
-             "  - {type: box, low: [-5, -5, 1.4], high: [5, 5, 1.5], material: flint}\n"
-             "  - {type: box, low: [-5, -5, 1.0], high: [5, 5, 1.1], material: flint}\n"
-             "  - {type: box, low: [-5, -5, 0.6], high: [5, 5, 0.7], material: flint}\n"
-             "  - {type: box, low: [-5, -5, 0.2], high: [5, 5, 0.3], material: flint}\n"
-             "  - {type: rectangle, corner: [-9, -9, -1], edge_u: [18, 0, 0], edge_v: [0, 18, 0], material: white}\n");
-    Scene *scene = scene_from_text(text);
+    Scene *scene = scene_from_text(
+        "camera: {position: [0, 0, 4], target: [0, 0, 0], vertical_fov: 60}\n"
+        "render: {depth: 9}\n"
+        "materials: [{name: black, type: diffuse, reflectance: [0, 0, 0]}, {name: white, type: diffuse, "
+        "reflectance: [1, 1, 1]}, {name: flint, type: glass, index_d: 1.1, abbe: 10}]\n"
+        "lights: [{type: beam, position: [0, 0, 2], target: [0.5, 0, 0], radius: 0.01, power: [1, 1, 1]}]\n"
+        "shapes:\n"
+        "  - {type: box, low: [-5, -5, 1.4], high: [5, 5, 1.5], material: flint}\n"
+        "  - {type: box, low: [-5, -5, 1.0], high: [5, 5, 1.1], material: flint}\n"
+        "  - {type: box, low: [-5, -5, 0.6], high: [5, 5, 0.7], material: flint}\n"
+        "  - {type: box, low: [-5, -5, 0.2], high: [5, 5, 0.3], material: flint}\n"
+        "  - {type: rectangle, corner: [-9, -9, -1], edge_u: [18, 0, 0], edge_v: [0, 18, 0], material: white}\n");
     PhotonPass pass = spectral_pass(scene, FEWER(300000), false);
     double expected[3] = {0}, flux[3] = {0}, slope = 0.5 / sqrt(4.25);
     for (int i = 0; i < 700; i++) { // straight through: the last of nine surfaces is the screen
@@ -81,21 +79,19 @@ static double deviation_of(double index)
 
 static void check_deviation(const char *glass, double wavelength, double index)
 {
-    char text[1024];
     double turn = (30.0 - 63.5935) / DEGREES;
-    snprintf(text, sizeof text,
-             "camera: {position: [0, 0.5, 0.001], target: [0, 0, 0], vertical_fov: 40}\n"
-             "materials:\n"
-             "  - {name: grey, type: diffuse, reflectance: [0.5, 0.5, 0.5]}\n"
-             "  - {name: flint, type: glass, %s}\n"
-             "lights: [{type: beam, spectrum: '%g', position: [%.7f, 0, %.7f], target: [-0.015, 0, 0], radius: 0.001, "
-             "power: [1, 1, 1]}]\n"
-             "shapes:\n"
-             "  - {type: prism, apex: [0, 0, -0.025981], axis: [0, 1, 0], down: [0, 0, 1], angle: 60, side: 0.06, "
-             "length: 0.08, material: flint}\n"
-             "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: grey}\n",
-             glass, wavelength, -0.015 - 0.3 * cos(turn), -0.3 * sin(turn));
-    Scene *scene = scene_from_text(text);
+    Scene *scene = scene_from_text(
+        words("camera: {position: [0, 0.5, 0.001], target: [0, 0, 0], vertical_fov: 40}\n"
+              "materials:\n"
+              "  - {name: grey, type: diffuse, reflectance: [0.5, 0.5, 0.5]}\n"
+              "  - {name: flint, type: glass, %s}\n"
+              "lights: [{type: beam, spectrum: '%g', position: [%.7f, 0, %.7f], target: [-0.015, 0, 0], radius: 0.001, "
+              "power: [1, 1, 1]}]\n"
+              "shapes:\n"
+              "  - {type: prism, apex: [0, 0, -0.025981], axis: [0, 1, 0], down: [0, 0, 1], angle: 60, side: 0.06, "
+              "length: 0.08, material: flint}\n"
+              "  - {type: sphere, centre: [0, 0, 0], radius: 1, material: grey}\n",
+              glass, wavelength, -0.015 - 0.3 * cos(turn), -0.3 * sin(turn)));
     PhotonPass pass = spectral_pass(scene, 2000, false);
     long seen = 0;
     for (size_t i = 0; i < pass.rest.count; i++) {

@@ -4,23 +4,21 @@
 // Light falls straight through four panes of the glass `material` into a black hemisphere of walls behind them.
 static Scene *panes(const char *glass)
 {
-    char text[2048];
-    snprintf(text, sizeof text,
-             "camera: {position: [0, 0, -1], target: [0, 0, 0], vertical_fov: 40}\n"
-             "render: {depth: 1000}\n"
-             "materials:\n"
-             "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"
-             "  - {name: pane, type: glass, %s}\n"
-             "lights:\n"
-             "  - {type: beam, position: [0, 0, -0.5], target: [0, 0, 0], radius: 0.1, power: [1, 1, 1]}\n"
-             "shapes:\n"
-             "  - {type: box, low: [-1, -1, 0.00], high: [1, 1, 0.01], material: pane}\n"
-             "  - {type: box, low: [-1, -1, 0.02], high: [1, 1, 0.03], material: pane}\n"
-             "  - {type: box, low: [-1, -1, 0.04], high: [1, 1, 0.05], material: pane}\n"
-             "  - {type: box, low: [-1, -1, 0.06], high: [1, 1, 0.07], material: pane}\n"
-             "  - {type: rectangle, corner: [-1, -1, 1], edge_u: [2, 0, 0], edge_v: [0, 2, 0], material: black}\n",
-             glass);
-    return scene_from_text(text);
+    return scene_from_text(
+        words("camera: {position: [0, 0, -1], target: [0, 0, 0], vertical_fov: 40}\n"
+              "render: {depth: 1000}\n"
+              "materials:\n"
+              "  - {name: black, type: diffuse, reflectance: [0, 0, 0]}\n"
+              "  - {name: pane, type: glass, %s}\n"
+              "lights:\n"
+              "  - {type: beam, position: [0, 0, -0.5], target: [0, 0, 0], radius: 0.1, power: [1, 1, 1]}\n"
+              "shapes:\n"
+              "  - {type: box, low: [-1, -1, 0.00], high: [1, 1, 0.01], material: pane}\n"
+              "  - {type: box, low: [-1, -1, 0.02], high: [1, 1, 0.03], material: pane}\n"
+              "  - {type: box, low: [-1, -1, 0.04], high: [1, 1, 0.05], material: pane}\n"
+              "  - {type: box, low: [-1, -1, 0.06], high: [1, 1, 0.07], material: pane}\n"
+              "  - {type: rectangle, corner: [-1, -1, 1], edge_u: [2, 0, 0], edge_v: [0, 2, 0], material: black}\n",
+              glass));
 }
 
 // Where the flux of each channel got to, and how many photons of each colour.

@@ -29,13 +29,9 @@ typedef struct {
 // Appends the command that builds it.
 static inline int prepare_fault(const Fault *fault, char *command, size_t size)
 {
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s", folder, fault->name);
-    assert_int_equal(mkdir(path, 0700), 0);
-    snprintf(path, sizeof path, "%s/%s/1_diffuse_photon_map", folder, fault->name);
-    assert_int_equal(mkdir(path, 0700), 0);
-    snprintf(path, sizeof path, "%s/%s/%s.c", folder, fault->name, fault->file);
-    write_text(path, fault->code);
+    assert_int_equal(mkdir(words("%s/%s", folder, fault->name), 0700), 0);
+    assert_int_equal(mkdir(words("%s/%s/1_diffuse_photon_map", folder, fault->name), 0700), 0);
+    write_text(words("%s/%s/%s.c", folder, fault->name, fault->file), fault->code);
     return snprintf(command, size, "build %s/%s & ", fault->name, fault->file);
 }
 
@@ -59,13 +55,11 @@ static inline void build_faults(const Fault *faults, size_t count)
 
 // ---- runs
 
-// Of this step's folder, or of the reference alone; good until the next.
+// Of this step's folder, or of the reference alone.
 static inline RunRequest photons_request(const char *name)
 {
-    static char code[1024];
-    if (name)
-        snprintf(code, sizeof code, "%s/%s", folder, name);
-    return (RunRequest){.kind = RUN_PHOTONS, .code = name ? code : NULL, .seed = 7, .photons = 4000, .recorded = 50};
+    const char *code = name ? words("%s/%s", folder, name) : NULL;
+    return (RunRequest){.kind = RUN_PHOTONS, .code = code, .seed = 7, .photons = 4000, .recorded = 50};
 }
 
 static inline RunStatus finish(Run *run)
@@ -118,12 +112,10 @@ static inline void good_run(const char *what)
 
 static inline int preview_start(void **state, const Fault *faults, size_t count)
 {
-    char source[1024];
     setenv("ASAN_OPTIONS", "detect_leaks=0", 0);
     scene = scene_load("scenes/box_dispersion.yaml", &said);
     bool made = mkdtemp(folder) != NULL;
-    snprintf(source, sizeof source, "%s/undefined", folder);
-    broker = scene && made ? broker_start(scene, source, &said) : NULL;
+    broker = scene && made ? broker_start(scene, words("%s/undefined", folder), &said) : NULL;
     if (!broker) {
         print_error("%s\n", said.message);
         return -1;
@@ -135,11 +127,9 @@ static inline int preview_start(void **state, const Fault *faults, size_t count)
 
 FIXTURE(preview_end)
 {
-    char command[1024];
     broker_stop(broker);
     scene_free(scene);
-    snprintf(command, sizeof command, "rm -rf %s", folder);
-    return system(command);
+    return system(words("rm -rf %s", folder)) || free_all(state);
 }
 
 #define AROUND_RUNS(faults, count)                                                                                     \

@@ -36,10 +36,9 @@ static void assert_colour(Colour value, double r, double g, double b, double rel
 static void both_see(const char *text, int depth, const double L[3], int samples, double tolerance, const char *what)
 {
     for (int path = 0; path < 2; path++) {
-        char whose[64];
-        snprintf(whose, sizeof whose, "%s, %s", what, path ? "path" : "photons");
         Colour seen = look(text, path ? INTEGRATOR_PATH : INTEGRATOR_PHOTONS, 2, depth, path ? samples : 4);
-        assert_colour(seen, L[0], L[1], L[2], path ? tolerance : 1e-5, whose);
+        assert_colour(seen, L[0], L[1], L[2], path ? tolerance : 1e-5,
+                      words("%s, %s", what, path ? "path" : "photons"));
     }
 }
 

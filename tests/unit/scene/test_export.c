@@ -11,9 +11,8 @@ static void take(const char *words)
     strncat(told, words, sizeof told - strlen(told) - 1);
 }
 
-static bool export_as(const Scene *scene, const char *name, char path[200])
+static bool export_as(const Scene *scene, const char *path)
 {
-    snprintf(path, 200, "%s/%s", temporary, name);
     told[0] = '\0';
     return export_write(scene, &scene->settings, path, take, &said);
 }
@@ -36,12 +35,11 @@ TEST(own_rules_are_refused)
                                          {.optics = OPTICS_ROUGH, .lobe = any_lobe},
                                          {.optics = OPTICS_LIGHT}};
     Scene *scene = scene_from_text(CAMERA LIGHT WHITE);
-    char path[200];
     for (int i = 0; i < 3; i++)
         for (int format = 0; format < 2; format++) {
+            const char *path = words("%s/a.%s", temporary, format ? "xml" : "pbrt");
             scene->materials[0].kind = &kinds[i];
-            assert_refused(export_as(scene, format ? "a.xml" : "a.pbrt", path),
-                           "'white' treats light by a rule of its own");
+            assert_refused(export_as(scene, path), "'white' treats light by a rule of its own");
             assert_int_equal(access(path, F_OK), -1);
         }
 }
@@ -53,17 +51,17 @@ TEST(what_differs_is_told)
                "  - {name: satin, type: glossy, diffuse: [0.9, 0, 0], specular: [0, 0.9, 0], exponent: 50}\n"
                "lights:\n  - {type: beam, position: [0, 0, 0], target: [0, 0, 1], radius: 0.1, power: [1, 1, 1]}\n"
                "  - {type: point, spectrum: sodium, position: [0, 0, 0], power: [1, 1, 1]}\n";
-    static const char *const words[2][4] = {
+    static const char *const expected[2][4] = {
         {"flint: Mitsuba 3's glass has one index", "satin: the cosine lobe of exponent 50", "a beam is left out",
          "a lamp's spectrum becomes"},
         {"satin: the cosine lobe", "roughness 0.1", "a beam is left out", "line at 589.3 nm becomes a band"}};
     Scene *scene = scene_from_text(text);
     for (int format = 0; format < 2; format++) {
-        char path[200];
-        assert_true(export_as(scene, format ? "a.pbrt" : "a.xml", path));
+        const char *path = words("%s/a.%s", temporary, format ? "pbrt" : "xml");
+        assert_true(export_as(scene, path));
         for (int i = 0; i < 4; i++)
-            if (!strstr(told, words[format][i]))
-                fail_msg("\"%s\" is not told, but: %s", words[format][i], told);
+            if (!strstr(told, expected[format][i]))
+                fail_msg("\"%s\" is not told, but: %s", expected[format][i], told);
         unlink(path);
     }
 }
@@ -75,9 +73,8 @@ TEST(a_mesh_of_a_rectangle)
         scene_from_text(CAMERA LIGHT "materials:\n  - {name: \"../a b\", type: mirror}\n"
                                      "shapes:\n  - {type: rectangle, material: \"../a b\", corner: [1, 2, 3], "
                                      "edge_u: [1, 0, 0], edge_v: [0, 2, 0]}\n");
-    char path[200], mesh[220];
-    assert_true(export_as(scene, "a.xml", path));
-    snprintf(mesh, sizeof mesh, "%s/a_1_.._a_b.ply", temporary);
+    const char *path = words("%s/a.xml", temporary), *mesh = words("%s/a_1_.._a_b.ply", temporary);
+    assert_true(export_as(scene, path));
     size_t size;
     char *bytes = file_read(mesh, 10000, &size, &said);
     assert_non_null(bytes);

@@ -74,9 +74,8 @@ TEST(photons_and_samples_agree)
             Mean sampled = sampled_irradiance(light, &windows[w], &rng, 100000);
             Mean emitted = emitted_irradiance(light, &windows[w], &rng, 400000);
             double error = hypot(mean_error(&sampled), mean_error(&emitted));
-            char what[64];
-            snprintf(what, sizeof what, "light %d through window %d, by photons", l, w);
-            assert_within(mean_value(&emitted), mean_value(&sampled), 3.0 * error + 1e-6, what);
+            assert_within(mean_value(&emitted), mean_value(&sampled), 3.0 * error + 1e-6,
+                          words("light %d through window %d, by photons", l, w));
             assert_true(w == 3 || mean_value(&sampled) > 0.1);
         }
     }

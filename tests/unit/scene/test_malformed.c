@@ -38,11 +38,9 @@ static bool scene_refused(const char *path, const char *expected)
 // A mesh is loaded by a scene without a fault.
 static bool mesh_refused(const char *folder, const char *file, const char *expected)
 {
-    char text[600];
-    snprintf(text, sizeof text,
-             CAMERA LIGHT "materials:\n  - {name: white, type: mirror}\n"
-                          "shapes:\n  - {type: mesh, file: %s, material: white}\n",
-             file);
+    const char *text = words(CAMERA LIGHT "materials:\n  - {name: white, type: mirror}\n"
+                                          "shapes:\n  - {type: mesh, file: %s, material: white}\n",
+                             file);
     return is_refused(scene_load_text(text, strlen(text), "scene.yaml", folder, &said), file, expected);
 }
 
@@ -50,9 +48,8 @@ TEST(test_files)
 {
     int wrong = 0;
     for (int i = 0; i < FAULTS; i++) {
-        char path[200], expected[300];
-        snprintf(path, sizeof path, FOLDER "%s", faults[i].file);
-        snprintf(expected, sizeof expected, "%s%s", faults[i].file, faults[i].expected);
+        const char *path = words(FOLDER "%s", faults[i].file);
+        const char *expected = words("%s%s", faults[i].file, faults[i].expected);
         wrong +=
             ends_with(path, ".yaml") ? !scene_refused(path, expected) : !mesh_refused(FOLDER, faults[i].file, expected);
     }
@@ -74,9 +71,7 @@ TEST(test_no_file_is_forgotten)
 // What is too large, too deep or no file at all is made in a folder.
 static const char *temporary_path(const char *name)
 {
-    static char path[200];
-    snprintf(path, sizeof path, "%s/%s", temporary, name);
-    return path;
+    return words("%s/%s", temporary, name);
 }
 
 // `head`, then `count` times `unit`, then `tail`.

@@ -3,9 +3,7 @@
 
 static Scene *load_shape(const char *shape)
 {
-    char text[2000];
-    snprintf(text, sizeof text, CAMERA LIGHT WHITE "shapes:\n  - {%s, material: white}\n", shape);
-    return scene_from_text(text);
+    return scene_from_text(words(CAMERA LIGHT WHITE "shapes:\n  - {%s, material: white}\n", shape));
 }
 
 // By Gauss: a third of the flux of the position vector through the surface. Positive when all normals point outside.
@@ -60,13 +58,12 @@ TEST(test_prism_place)
 // A scene with one mesh, whose text is `obj`; `keys` are put behind the file's name.
 static Scene *load_mesh(const char *obj, const char *keys)
 {
-    char path[100], text[1000], folder[50];
-    snprintf(folder, sizeof folder, "%s/", temporary);
-    snprintf(path, sizeof path, "%smesh.obj", folder);
+    const char *folder = words("%s/", temporary), *path = words("%smesh.obj", folder);
     write_text(path, obj);
-    snprintf(text, sizeof text,
-             CAMERA LIGHT WHITE "  - {name: shiny, type: mirror}\nshapes:\n  - {type: mesh, file: mesh.obj%s}\n", keys);
-    Scene *scene = scene_in_folder(text, folder);
+    Scene *scene = scene_in_folder(
+        words(CAMERA LIGHT WHITE "  - {name: shiny, type: mirror}\nshapes:\n  - {type: mesh, file: mesh.obj%s}\n",
+              keys),
+        folder);
     unlink(path);
     return scene;
 }
