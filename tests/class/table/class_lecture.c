@@ -4,7 +4,6 @@
 #include "judge/report/text.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #define MOST_OF_STEP 5
 #define MOST_TILE    (1u << 20) // bytes
@@ -24,12 +23,8 @@ static void write_tile(FILE *stream, const Table *table, const Mistake *mistake)
 
 static void write_step(FILE *stream, const Table *table, size_t step, const Mistake *mistakes, size_t kinds)
 {
-    size_t started = 0, passed = 0, shown = 0;
-    for (size_t r = 0; r < table->count; r++) {
-        const char *status = table->rows[r].student->steps[step].status;
-        passed += strcmp(status, "pass") == 0;
-        started += strcmp(status, "pass") == 0 || strcmp(status, "fail") == 0 || strcmp(status, "error") == 0;
-    }
+    size_t passed = count_rows(table, step, STATUS_PASS), shown = 0;
+    size_t started = passed + count_rows(table, step, STATUS_FAIL) + count_rows(table, step, STATUS_ERROR);
     if (started == 0)
         return;
     fprintf(stream, "<h3 id=s%s>%s %s</h3>\n<p>%zu of the %zu who began it have it right.</p>\n<div class=kinds>",

@@ -53,19 +53,22 @@ static const char *mark_of(const char *status)
     return "";
 }
 
+size_t count_rows(const Table *table, size_t step, Status status)
+{
+    size_t count = 0;
+    for (size_t r = 0; r < table->count; r++)
+        count += strcmp(table->rows[r].student->steps[step].status, status_table[status].name) == 0;
+    return count;
+}
+
 static void write_overview(FILE *stream, const Table *table)
 {
     fputs("<h2>Steps</h2>\n<table><tr><th>step<th>passed<th>wrong<th>broke off<th>not started<th></tr>\n", stream);
     for (size_t i = 0; i < STEP_COUNT; i++) {
         if (!stage_counts(table, step_table[i].stage))
             continue;
-        size_t pass = 0, fail = 0, error = 0;
-        for (size_t r = 0; r < table->count; r++) {
-            const char *status = table->rows[r].student->steps[i].status;
-            pass += strcmp(status, "pass") == 0;
-            fail += strcmp(status, "fail") == 0;
-            error += strcmp(status, "error") == 0;
-        }
+        size_t pass = count_rows(table, i, STATUS_PASS), fail = count_rows(table, i, STATUS_FAIL);
+        size_t error = count_rows(table, i, STATUS_ERROR);
         fprintf(
             stream,
             "<tr><td><a href=\"lecture.html#s%s\">%s</a> %s<td class=n>%zu<td class=n>%zu<td class=n>%zu<td class=n>%zu"

@@ -118,7 +118,8 @@ TableWriter page_write, page_write_spread, lecture_write, grades_write;
 // To be asked before anything is written: where in the roster do grades go? In `column`, or NULL: in the only one there is.
 bool grades_find(const Roster *roster, RosterKind kind, const char *column, Grades *in, Error *error);
 
-void page_begin(FILE *stream, const char *title); // what both pages begin with, to their style
-void page_link(FILE *stream, const char *path);   // a path in a link
+size_t count_rows(const Table *table, size_t step, Status status); // where the step came to this
+void page_begin(FILE *stream, const char *title);                  // what both pages begin with, to their style
+void page_link(FILE *stream, const char *path);                    // a path in a link
 
 #endif
