@@ -4,12 +4,9 @@
 set -u
 TIMEFORMAT='%0R s; processors: %0U s, and %0S s in the system'
 export OMP_WAIT_POLICY=passive # parts run side by side: a thread that waits must not keep a core busy
+. "$(dirname "$0")/common.sh"
 make=$1
 shift
-passed=0
-failed=0
-logs=$(mktemp -d)
-trap 'rm -rf "$logs"' EXIT
 
 # parts WHEN: the targets that are marked so, in the makefiles' order.
 parts() {
@@ -18,13 +15,13 @@ parts() {
 makefiles=("$@")
 
 run() {
-    { time "$make" --no-print-directory CHECK=1 "$1" >"$logs/$1" 2>&1; } 2>"$logs/$1.time"
-    echo $? $(cat "$logs/$1.time") >"$logs/$1.code"
+    { time "$make" --no-print-directory CHECK=1 "$1" >"$work/$1" 2>&1; } 2>"$work/$1.time"
+    echo $? $(cat "$work/$1.time") >"$work/$1.code"
 }
 
 # Each part closes with "N passed, N failed"; one that does not has failed as a whole.
 count() {
-    local log=$logs/$1 code seconds sum
+    local log=$work/$1 code seconds sum
     read -r code seconds <"$log.code"
     echo "── $1"
     sum=$(grep -E '^[0-9]+ passed, [0-9]+ failed$' "$log" | tail -1)
@@ -68,5 +65,4 @@ for target in $(parts beside); do count "$target"; done
 one_by_one $(parts alone)
 
 echo
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+finish

@@ -2,17 +2,14 @@
 # Runs cmocka test programs, several at a time, and closes with their sum. Usage: run.sh PROGRAM… RUNNER: what to start
 # them with (an emulator).
 set -u
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+. "$(dirname "$0")/../common.sh"
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 export OMP_NUM_THREADS=2 RUNNER=${RUNNER:-}
 # shellcheck disable=SC2016  # $1 belongs to the inner shell
-printf '%s\n' "$@" | OUT=$out xargs -P "$jobs" -I{} bash -c '$RUNNER "$1" >"$OUT/${1##*/}" 2>&1; echo $? >"$OUT/${1##*/}.code"' _ {}
+printf '%s\n' "$@" | OUT=$work xargs -P "$jobs" -I{} bash -c '$RUNNER "$1" >"$OUT/${1##*/}" 2>&1; echo $? >"$OUT/${1##*/}.code"' _ {}
 
-passed=0
-failed=0
 for program in "$@"; do
-    log=$out/${program##*/}
+    log=$work/${program##*/}
     good=$(grep -c '^\[       OK \]' "$log")
     bad=$(grep -c '^\[  FAILED  \] [a-z_0-9]*$' "$log")
     code=$(cat "$log.code" 2>/dev/null || echo 127)
@@ -28,5 +25,4 @@ for program in "$@"; do
         grep -v '^\[ RUN      \]\|^\[       OK \]' "$log" | head -60
     fi
 done
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+finish

@@ -1,6 +1,5 @@
 // Step 1.6: L = 3/(πr²) Σ f_r Φ (1 − d/r) over the photons on the normal's side, against a sum over all of them here.
 #include "judge/checks/directions.h"
-#include "judge/checks/pictures.h"
 
 #include <stdlib.h>
 

@@ -1,8 +1,6 @@
 // Step 4.5: the weighted mean of those estimates that serve, against a sum over all of them here.
 #include "judge/checks/directions.h"
 
-#include "render/gather/gather_trace.h"
-
 #include <string.h>
 
 #define MOST      300

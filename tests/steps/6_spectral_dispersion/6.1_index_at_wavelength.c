@@ -1,6 +1,5 @@
 // Step 6.1: Sellmeier's formula for real glass, Cauchy's for other.
 #include "judge/checks/directions.h"
-#include "scene/glass_catalogue.h"
 
 // Two of Cauchy's form before the catalogue's.
 static const double cauchy[][2] = {{1.5046, 0.0042}, {1.74, 0.018}};

@@ -1,6 +1,5 @@
 // Step 6.2: by inversion of a density like 1/cosh², and what a wavelength then counts.
 #include "judge/checks/directions.h"
-#include "scene/spectrum.h"
 
 #define DRAWS_EVEN 24 // from 0 on; more by the seed
 #define DRAWS_ALL  40

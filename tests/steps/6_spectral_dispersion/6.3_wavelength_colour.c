@@ -1,6 +1,5 @@
 // Step 6.3: the colour of a wavelength, and that all of them together are white.
 #include "judge/checks/directions.h"
-#include "scene/spectrum.h"
 
 #define STEP_NM     5
 #define WAVELENGTHS 71 // 380 … 730 nm

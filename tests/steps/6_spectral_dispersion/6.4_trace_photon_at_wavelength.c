@@ -1,7 +1,5 @@
 // Step 6.4: the life of a photon of one wavelength.
 #include "judge/checks/path_scenes.h"
-#include "scene/glass_catalogue.h"
-#include "scene/spectrum.h"
 
 #define PHOTONS 20000
 

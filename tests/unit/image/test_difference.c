@@ -1,5 +1,4 @@
 // The difference of two images, against values worked out by hand.
-#include "image/difference.h"
 #include "unit/image/image_helpers.h"
 
 static const ImageMask NO_MASK = {0, 0, 0, 0};

@@ -1,5 +1,4 @@
 // Photons of single wavelengths: white stays white, and a prism bends each as Snell's law has it.
-#include "scene/spectrum.h"
 #include "unit/test_common.h"
 
 #define PLAY_WAVELENGTHS ((StepChoice){GLOSSY_PHONG, LOOP_WAVELENGTH})

@@ -2,8 +2,6 @@
 // through a needle of 0.01°: one direction, many samples.
 #include "unit/test_common.h"
 
-#include "render/render.h"
-
 #define NEEDLE "vertical_fov: 0.01}\n"
 #define GLASS  "materials:\n  - {name: glass, type: glass, index: 1.5}\n"
 

@@ -1,6 +1,5 @@
 // The glass catalogue against figures computed on their own from the same Sellmeier coefficients
 // (refractiveindex.info), and Cauchy's formula through the same points.
-#include "scene/glass_catalogue.h"
 #include "unit/test_common.h"
 
 static const struct {

@@ -1,6 +1,4 @@
 // Lamps' spectra, walls over wavelength, the colour of a wavelength: held against sums of their own.
-#include "scene/light.h"
-#include "scene/spectrum.h"
 #include "unit/test_common.h"
 
 #define FINE 7000 // wavelengths of a mean, in the middle of their bins
