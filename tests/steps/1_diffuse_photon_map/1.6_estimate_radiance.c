@@ -20,21 +20,13 @@ typedef struct {
     double exponent;
 } Scenery;
 
+#define SLANTED {0.48, -0.64, 0.6}
+
 static const Scenery sceneries[] = {
     {"one photon, 0.2 m away, largest radius 0.5 m", 0, 10, 0.5, 1, 0, 40, 40, 0, {0, 0, 1}, 0},
     {"300 photons, of which the 50 nearest count", 0, 50, 0, 300, 0.5, 0, 85, 0, {0, 0, 1}, 0},
     {"the same in a disk a tenth as large", 0, 50, 0, 300, 0.05, 0, 85, 0, {0, 0, 1}, 0},
-    {"200 photons, half of which arrive from behind the surface",
-     0,
-     60,
-     0,
-     200,
-     0.4,
-     0,
-     80,
-     0.5,
-     {0.48, -0.64, 0.6},
-     0},
+    {"200 photons, half of which arrive from behind the surface", 0, 60, 0, 200, 0.4, 0, 80, 0.5, SLANTED, 0},
     {"photons that all arrive at 75° to 88° to the normal", 0, 50, 0, 200, 0.4, 75, 88, 0, {0, 0, 1}, 0},
     {"fewer than k photons within the largest radius", 0, 200, 0.25, 200, 0.5, 0, 80, 0, {0, 1, 0}, 0},
     {"fewer than k photons in the map, no largest radius", 0, 100, 0, 30, 0.3, 0, 80, 0, {0, 0, -1}, 0},

@@ -1,6 +1,8 @@
 // The photon map against brute force: every answer must be the one a plain loop over all photons gives.
 #include "unit/photons/photon_map_helpers.h"
 
+enum { MOST = 100000 }; // photons
+
 // Near the photons, far away from them, or on one of them.
 static Vec3 make_query(const PhotonMap *map, Arrangement arrangement, int which, Rng *rng)
 {
@@ -38,12 +40,12 @@ static void assert_distinct(NearPhoton *near, size_t count)
         assert_ptr_not_equal(near[i - 1].photon, near[i].photon);
 }
 
-// All squared distances, ascending; free after use.
-static float *sorted_distances(const PhotonMap *map, Vec3 point)
+// All squared distances, ascending; good until the next call.
+static const float *sorted_distances(const PhotonMap *map, Vec3 point)
 {
+    static float sorted[MOST + 1];
     size_t count = photon_map_count(map);
-    float *sorted = calloc(count + 1, sizeof *sorted);
-    assert_non_null(sorted);
+    assert_true(count <= MOST);
     for (size_t i = 0; i < count; i++)
         sorted[i] = distance2_to(&photon_map_photons(map)[i], point);
     qsort(sorted, count, sizeof *sorted, compare_floats);
@@ -68,8 +70,7 @@ static void check_nearest(const PhotonMap *map, Vec3 point, size_t k, float limi
     float radius2 = limit;
     assert_int_equal(photon_map_nearest(map, point, k, &radius2, near), expected);
     assert_true(radius2 == (expected == k ? sorted[k - 1] : limit));
-    float *found = calloc(expected + 1, sizeof *found);
-    assert_non_null(found);
+    static float found[MOST];
     for (size_t i = 0; i < expected; i++) {
         size_t index = (size_t)(near[i].photon - photon_map_photons(map));
         assert_true(index < photon_map_count(map));
@@ -79,14 +80,13 @@ static void check_nearest(const PhotonMap *map, Vec3 point, size_t k, float limi
     qsort(found, expected, sizeof *found, compare_floats);
     assert_memory_equal(found, sorted, expected * sizeof *found);
     assert_distinct(near, expected);
-    free(found);
     free(near);
 }
 
 static void check_query(const PhotonMap *map, Vec3 point, const size_t *ks, size_t k_count)
 {
     size_t count = photon_map_count(map);
-    float *sorted = sorted_distances(map, point);
+    const float *sorted = sorted_distances(map, point);
     for (size_t i = 0; i < k_count; i++) {
         check_nearest(map, point, ks[i], INFINITY, sorted);
         if (count == 0)
@@ -95,7 +95,6 @@ static void check_query(const PhotonMap *map, Vec3 point, const size_t *ks, size
         check_nearest(map, point, ks[i], sorted[count / 3] * 1.01f, sorted);
         check_nearest(map, point, ks[i], 0.0f, sorted);
     }
-    free(sorted);
 }
 
 // A widely copied traversal never visits the last three or four photons, which shows for few photons.
@@ -131,7 +130,7 @@ TEST(test_nearest_of_1000)
 
 TEST(test_nearest_of_100000)
 {
-    nearest_of_many(100000, 6);
+    nearest_of_many(MOST, 6);
 }
 
 TEST(test_no_photons_wanted)
@@ -156,12 +155,11 @@ TEST(test_example_of_the_header)
     size_t found = photon_map_nearest(map, point, 50, &radius2, near);
 
     // 20000 photons on 8 m³ are 10 within 0.1 m, on average.
-    float *sorted = sorted_distances(map, point);
+    const float *sorted = sorted_distances(map, point);
     assert_true(found > 0 && found < 50);
     assert_int_equal(found, count_below(sorted, count, 0.1f * 0.1f));
     assert_true(radius2 == 0.1f * 0.1f);
     radius2 = 1.0f;
     assert_int_equal(photon_map_nearest(map, point, 50, &radius2, near), 50);
     assert_true(radius2 == sorted[49]);
-    free(sorted);
 }

@@ -11,8 +11,7 @@ TEST(test_keeps_every_photon)
     for (int arrangement = 0; arrangement < ARRANGEMENTS; arrangement++) {
         StoredPhoton *before = make_photons((Arrangement)arrangement, COUNT, 8);
         PhotonMap *map = make_map((Arrangement)arrangement, COUNT, 8);
-        unsigned char *seen = calloc(COUNT, 1);
-        assert_non_null(seen);
+        unsigned char *seen = memory(COUNT, 1);
         assert_int_equal(photon_map_count(map), COUNT);
         for (size_t i = 0; i < COUNT; i++) {
             const StoredPhoton *photon = &photon_map_photons(map)[i];
@@ -20,7 +19,6 @@ TEST(test_keeps_every_photon)
             assert_memory_equal(photon, &before[number], sizeof *photon);
             assert_int_equal(seen[number]++, 0);
         }
-        free(seen);
         free(before);
     }
 }
