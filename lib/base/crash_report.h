@@ -38,8 +38,9 @@ void crash_walk(const char *place, void (*take)(const CrashPlace *place));
 typedef struct {
     char object[1024], symbol[128]; // object "": there is none
     const void *function;
-    unsigned long long offset, caller; // and of the next such place in that object, 0: none. Where the first is a stub by which it
-                                       // calls the library, that has no line, the next one has
+    // Of the place, and of the next one in that object, 0: none. Where the first is a stub by which it calls the library, that
+    // has no line, the next one has.
+    unsigned long long offset, caller;
     bool calls_itself; // further out its function stands again
 } InnerPlace;
 // Takes a place of crash_walk. True: it is the innermost. `folder` ends with a slash.

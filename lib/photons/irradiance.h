@@ -21,7 +21,7 @@ typedef struct {
     Colour irradiance;   // W/m²
     float reach;         // R, m
     Vec3 translation[3]; // how each channel changes along the surface, W/m³,
-    Vec3 rotation[3]; // and as the normal turns, W/m² a radian; for use as (n_i × n)·rotation (Ward & Heckbert 1992)
+    Vec3 rotation[3];    // and as the normal turns, W/m² a radian; for use as (n_i × n)·rotation (Ward & Heckbert 1992)
 } IrradianceEstimate;
 
 // One thread's gather rays; see render/gather/gather_trace.h, whose calls take it.

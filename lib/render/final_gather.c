@@ -70,7 +70,7 @@ Colour final_gather_irradiance(Eye *eye, const Hit *hit, Vec3 wo, float distance
 #define COARSEST (1 << (LEVELS - 1)) // pixels between the first estimates
 #define BATCH    128                 // estimates made at a time, blind to each other
 
-#define CLOSED   UINT32_MAX          // in place of a pixel: nothing to do there
+#define CLOSED UINT32_MAX // in place of a pixel: nothing to do there
 
 // Those on a grid of this spacing which were on none before; how many.
 static size_t grid_pixels(const RenderSettings *settings, int spacing, uint32_t *pixels)

@@ -13,11 +13,11 @@
 static const struct {
     const char *place, *steps;
 } sources[MATERIAL_TYPES] = {
-    [MATERIAL_DIFFUSE] = {"a diffuse surface", "1.3"},
-    [MATERIAL_GLOSSY] = {"a glossy surface", "1.3 2.1 2.2 2.3 2.4"},
-    [MATERIAL_MIRROR] = {"a mirror", "1.1"},
-    [MATERIAL_GLASS] = {"glass", "1.1 3.1"},
-    [MATERIAL_LIGHT] = {"the light", "1.2 1.3"},
+    [MATERIAL_DIFFUSE] = {.place = "a diffuse surface", .steps = "1.3"},
+    [MATERIAL_GLOSSY] = {.place = "a glossy surface", .steps = "1.3 2.1 2.2 2.3 2.4"},
+    [MATERIAL_MIRROR] = {.place = "a mirror", .steps = "1.1"},
+    [MATERIAL_GLASS] = {.place = "glass", .steps = "1.1 3.1"},
+    [MATERIAL_LIGHT] = {.place = "the light", .steps = "1.2 1.3"},
 };
 #define LOOPS   "1.5 3.4 6.4"
 #define WEIGHTS "1.4 1.5 2.1 2.2 2.3 2.4 3.1 3.2 3.3 3.4 3.5 6.1 6.2 6.4" // decide power, or who goes on

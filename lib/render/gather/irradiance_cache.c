@@ -27,7 +27,8 @@ struct IrradianceCache {
     size_t count, capacity;
     Link *links;
     size_t link_count, link_capacity;
-    uint32_t heads[SLOTS]; // by the hash of grid and cell; different cells may share one, and the test of the error tells
+    // By the hash of grid and cell; different cells may share one, and the test of the error tells.
+    uint32_t heads[SLOTS];
     bool in_use[GRIDS];
 };
 

@@ -160,8 +160,7 @@ static IrradianceMap *map_create(size_t slots, float size)
     IrradianceMap *map = calloc(1, sizeof *map);
     if (!map)
         return NULL;
-    *map = (IrradianceMap){calloc(slots, sizeof *map->keys), calloc(slots, sizeof *map->cells), slots - 1,
-                           size};
+    *map = (IrradianceMap){calloc(slots, sizeof *map->keys), calloc(slots, sizeof *map->cells), slots - 1, size};
     if (map->keys && map->cells)
         return map;
     irradiance_map_free(map);

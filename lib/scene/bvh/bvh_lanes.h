@@ -110,8 +110,8 @@ typedef int32_t LanesMask __attribute__((vector_size(32)));
 #define lanes_min(a, b)      ((Lanes)_mm256_min_ps((__m256)(a), (__m256)(b)))
 #define lanes_max(a, b)      ((Lanes)_mm256_max_ps((__m256)(a), (__m256)(b)))
 #define lanes_bits(mask)     ((unsigned)_mm256_movemask_ps((__m256)(mask)))
-#define lanes_fours(from)    ((Lanes)_mm256_broadcast_ps((const __m128 *)(from)))  // the same four in both halves
-#define lanes_pick(lanes, i) ((Lanes)_mm256_permute_ps((__m256)(lanes), (i)*0x55)) // of each half, in all its lanes
+#define lanes_fours(from)    ((Lanes)_mm256_broadcast_ps((const __m128 *)(from)))    // the same four in both halves
+#define lanes_pick(lanes, i) ((Lanes)_mm256_permute_ps((__m256)(lanes), (i) * 0x55)) // of each half, in all its lanes
 #define lanes_bytes(from)    ((Lanes)_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(from)))))
 #else
 #define LANES 4

@@ -10,17 +10,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char help[] = "usage: calibrate [flags] [SET …]      sets: 1 2_source 2_phong 3 4 5_pass 5_pixel; none: all\n"
-                           "\n"
-                           "  --build DIR       where photonlab and solutions/ are (build)\n"
-                           "  --renders N       pictures for means and spreads (2000)\n"
-                           "  --groups N        groups for the thresholds, at least 499 (2000)\n"
-                           "  --out DIR         where to write (tests/reference/pictures)\n"
-                           "  --jobs N          probes side by side (0: all cores)\n"
-                           "  --seed N          other pictures (1)\n"
-                           "  --measure N       write nothing: judge N fresh groups and count the failures\n"
-                           "  --step ID --object FILE.so    with --measure: play this code for the step\n"
-                           "  --name TEXT       with --measure: what to call it\n";
+static const char help[] =
+    "usage: calibrate [flags] [SET …]      sets: 1 2_source 2_phong 3 4 5_pass 5_pixel 6; none: all\n"
+    "\n"
+    "  --build DIR       where photonlab and solutions/ are (build)\n"
+    "  --renders N       pictures for means and spreads (2000)\n"
+    "  --groups N        groups for the thresholds, at least 499 (2000)\n"
+    "  --out DIR         where to write (tests/reference/pictures)\n"
+    "  --jobs N          probes side by side (0: all cores)\n"
+    "  --seed N          other pictures (1)\n"
+    "  --measure N       write nothing: judge N fresh groups and count the failures\n"
+    "  --step ID --object FILE.so    with --measure: play this code for the step\n"
+    "  --name TEXT       with --measure: what to call it\n";
 
 const char *judge_root = ".";
 

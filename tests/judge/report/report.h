@@ -73,10 +73,10 @@ typedef struct {
     const ReportScatter *scatters; // by stage
     size_t scatter_count;
 
-    bool teacher;      // show hidden steps, too
+    bool teacher;       // show hidden steps, too
     const char *notes;  // put before a chapter to make a link of it; NULL: no links
     const char *finale; // a picture that the page ends with; NULL: none
-    void *kept;        // memory of all the above
+    void *kept;         // memory of all the above
 } Report;
 
 // Writes the report to its directory, points and counts summed from the steps: what the judge does.

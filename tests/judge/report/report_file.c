@@ -21,20 +21,12 @@
 #define MOST_CASES  1e9
 
 // A row for each field, called as its member.
-#define FIELD(type, member, kind, low, high)                                                                           \
-    {                                                                                                                  \
-#member, kind, offsetof(type, member), low, high, 0, NULL                                                      \
-    }
-#define TEXT(type, member)  FIELD(type, member, FIELD_TEXT, 0, MOST_TEXT)
-#define MAYBE(type, member) FIELD(type, member, FIELD_MAYBE, 0, 0)
-#define OBJECT(type, member, shape)                                                                                    \
-    {                                                                                                                  \
-#member, FIELD_OBJECT, offsetof(type, member), 0, 0, 0, shape                                                  \
-    }
+#define FIELD(type, member, kind, low, high) {#member, kind, offsetof(type, member), low, high, 0, NULL}
+#define TEXT(type, member)                   FIELD(type, member, FIELD_TEXT, 0, MOST_TEXT)
+#define MAYBE(type, member)                  FIELD(type, member, FIELD_MAYBE, 0, 0)
+#define OBJECT(type, member, shape)          {#member, FIELD_OBJECT, offsetof(type, member), 0, 0, 0, shape}
 #define LIST(type, member, kind, most, counted, shape)                                                                 \
-    {                                                                                                                  \
-#member, kind, offsetof(type, member), 0, most, offsetof(type, counted), shape                                 \
-    }
+    {#member, kind, offsetof(type, member), 0, most, offsetof(type, counted), shape}
 #define SHAPE(type, name, check)                                                                                       \
     static const Shape name##_shape = {sizeof(type), name##_fields, FIELD_COUNT(name##_fields), check}
 
@@ -114,11 +106,8 @@ static const Field scatter_fields[] = {FIELD(ReportScatter, stage, FIELD_WHOLE, 
                                        FIELD(ReportScatter, seconds, FIELD_NUMBER, 0, MOST_TIME)};
 SHAPE(ReportScatter, scatter, NULL);
 
-#define COUNTS 7 // where those rows begin
-#define COUNT(name, status)                                                                                            \
-    {                                                                                                                  \
-        name, FIELD_WHOLE, offsetof(Report, counts[status]), 0, MOST_STEPS, 0, NULL                                    \
-    }
+#define COUNTS              7 // where those rows begin
+#define COUNT(name, status) {name, FIELD_WHOLE, offsetof(Report, counts[status]), 0, MOST_STEPS, 0, NULL}
 static const Field report_fields[] = {TEXT(Report, format),
                                       TEXT(Report, submission),
                                       FIELD(Report, credit, FIELD_TRUTH, 0, 0),

@@ -103,7 +103,8 @@ TEST(endless_loops_are_ended)
 // Where a step calls the library, it may be met in the stub for that, which belongs to no line: the next place is the call's.
 TEST(a_call_has_a_place_behind_its_stub)
 {
-    const CrashPlace stub = {"/steps/1.5_trace_photon.so", NULL, NULL, 0x20}, library = {"/lib/library.so", "photon_fly", NULL, 0x30},
+    const CrashPlace stub = {"/steps/1.5_trace_photon.so", NULL, NULL, 0x20},
+                     library = {"/lib/library.so", "photon_fly", NULL, 0x30},
                      call = {"/steps/1.5_trace_photon.so", "trace_photon", NULL, 0x140};
     InnerPlace inner = {"", "", NULL, 0, 7, false};
     assert_true(crash_take_inner(&inner, &stub, "/steps/"));

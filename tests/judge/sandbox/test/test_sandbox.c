@@ -146,10 +146,7 @@ static void exposed_secret(void **state)
         assert_true(ran && result.exit_code == 0);
 }
 
-#define ONE_SECOND                                                                                                     \
-    {                                                                                                                  \
-        .cpu_seconds = 1, .wall_seconds = 3600                                                                         \
-    } // which may take minutes of a busy machine's
+#define ONE_SECOND {.cpu_seconds = 1, .wall_seconds = 3600} // which may take minutes of a busy machine's
 
 static const Case everywhere[] = {
     {"keeps both ends of what is printed", "print", NULL, 0, 0, keeps_both_ends, {0}},
