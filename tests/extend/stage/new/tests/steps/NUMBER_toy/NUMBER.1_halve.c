@@ -17,4 +17,4 @@ static void judge_values(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(halve, {"values", "Halves of small numbers", CHECK_VALUES, plan_values, judge_values, false})
+DEFINE_CHECKS(halve, {"values", "Halves of small numbers", CHECK_VALUES, plan_values, judge_values})

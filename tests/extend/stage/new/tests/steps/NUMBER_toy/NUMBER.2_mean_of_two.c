@@ -17,4 +17,4 @@ static void judge_values(const Results *results, Finding *finding)
     }
 }
 
-DEFINE_CHECKS(mean_of_two, {"values", "Means of small numbers", CHECK_VALUES, plan_values, judge_values, false})
+DEFINE_CHECKS(mean_of_two, {"values", "Means of small numbers", CHECK_VALUES, plan_values, judge_values})
