@@ -92,7 +92,7 @@ typedef struct {
     double T, T_threshold, V, V_threshold;
 } Finding;
 
-// Words for messages, printf style: a text that is good until the eighth call from here.
+// Words for messages, printf style: a text that is good until this thread's eighth call from here.
 const char *words(const char *format, ...) PRINTF_LIKE(1, 2);
 
 // The first failure's message stays. `failing_case`: −1 when it is no single one's fault.

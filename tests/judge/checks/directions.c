@@ -106,8 +106,8 @@ Vec3d any_direction(uint64_t number)
 
 const char *text_of_power(Vec3d v)
 {
-    static char texts[8][64];
-    static int next;
+    static __thread char texts[8][64];
+    static __thread int next;
     char *text = texts[next++ % 8];
     snprintf(text, sizeof texts[0], "(%.4g, %.4g, %.4g)", v.x, v.y, v.z);
     return text;

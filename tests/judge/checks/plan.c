@@ -92,8 +92,8 @@ double drawn_magnitude(uint64_t seed, int use, double low, double high)
 
 const char *words(const char *format, ...)
 {
-    static char texts[8][300];
-    static int next;
+    static __thread char texts[8][300]; // steps are graded side by side
+    static __thread int next;
     char *text = texts[next++ % 8];
     va_list arguments;
     va_start(arguments, format);
