@@ -1,5 +1,5 @@
-// The functions of lib/preview/draw/canvas_internal.h by WebGL 2, and what draws: what the module imports. OpenGL names its objects by numbers, which
-// count up from 1 here, and points into memory, which is the module's.
+// The functions of lib/preview/draw/canvas_internal.h by WebGL 2, and what draws: what the module imports. OpenGL names its
+// objects by numbers, which count up from 1 here, and points into memory, which is the module's.
 
 function photonlabGl(gl, memory) {
     const objects = [null] // by number
@@ -45,7 +45,8 @@ function photonlabGl(gl, memory) {
         glBindVertexArray: number => gl.bindVertexArray(objects[number]),
         glBlendFuncSeparate: (a, b, c, d) => gl.blendFuncSeparate(a, b, c, d),
         glBlitFramebuffer: (...numbers) => gl.blitFramebuffer(...numbers),
-        glBufferData: (target, size, at, use) => gl.bufferData(target, bytes(), use, at, size),
+        // A length of 0 would be taken for all that memory holds.
+        glBufferData: (target, size, at, use) => size ? gl.bufferData(target, bytes(), use, at, size) : gl.bufferData(target, 0, use),
         glCheckFramebufferStatus: target => gl.checkFramebufferStatus(target),
         glClear: mask => gl.clear(mask),
         glClearColor: (r, g, b, a) => gl.clearColor(r, g, b, a),

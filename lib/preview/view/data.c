@@ -98,20 +98,20 @@ void vertices_free(Vertices *list)
     *list = (Vertices){.items = NULL};
 }
 
-static bool reserve(Vertices *list, size_t more)
+bool vertices_reserve(Vertices *list, size_t more)
 {
     return array_reserve(&list->items, list->count + more, &list->capacity, sizeof *list->items);
 }
 
 void vertices_point(Vertices *list, Vec3 at, Rgba colour)
 {
-    if (reserve(list, 1))
+    if (vertices_reserve(list, 1))
         list->items[list->count++] = (Vertex){at.x, at.y, at.z, colour.r, colour.g, colour.b, colour.a};
 }
 
 void vertices_fading(Vertices *list, Vec3 from, Vec3 to, Rgba start, Rgba end)
 {
-    if (!reserve(list, 2))
+    if (!vertices_reserve(list, 2))
         return;
     vertices_point(list, from, start);
     vertices_point(list, to, end);

@@ -121,15 +121,16 @@ void pane_draw(const Pane *pane, int list, DrawStyle style)
     vertex_buffer_draw(pane->data->canvas, buffer, 0, buffer->count, &style);
 }
 
-// Makes the view's vertices, unless there are some of the same data and choices. Only those of photons have the chosen colours,
-// and lie where they are in flight.
+// Makes the view's vertices, unless there are some of the same data and choices. Colours are those of
+// views of photons; the time is that of views of photons in flight.
 static void make(const View *view, ViewData *data)
 {
     const ViewType *type = view_type(view);
     Made *made = &data->made[view->kind];
     double key[5 + MOST_SETTINGS] = {1 + data->come[type->shows], data->recording.play.glossy};
-    if (type->shows == RUN_PHOTONS) {
+    if (type->shows == RUN_PHOTONS)
         key[2] = view->colour;
+    if (type->in_flight) {
         key[3] = view->flight;
         key[4] = view->flight < 0.0 ? 0.0 : (double)view->most_points;
     }

@@ -82,7 +82,7 @@ typedef struct {
     ViewSetting settings[MOST_SETTINGS]; // those with a flag; may be none
     // What is shown, as lists of vertices; again when there is other data, or other settings, colours or flight.
     void (*build)(const View *view, ViewData *data, Vertices *lists);
-    void (*draw)(const Pane *pane); // these lists
+    void (*draw)(const Pane *pane); // draws the lists that `build` made
     // Lines about what is shown: "photon 17, bounce 2 of 5, red, 0.0012 W". After `draw`.
     void (*describe)(const View *view, const ViewData *data, char *text, size_t size);
     // What the colours mean, by legend_add. NULL: nothing.

@@ -13,6 +13,7 @@ struct Vertices {
 };
 
 void vertices_free(Vertices *list);
+bool vertices_reserve(Vertices *list, size_t more); // where many are to come, so that it need not grow
 void vertices_point(Vertices *list, Vec3 at, Rgba colour);
 void vertices_line(Vertices *list, Vec3 from, Vec3 to, Rgba colour);
 void vertices_fading(Vertices *list, Vec3 from, Vec3 to, Rgba start, Rgba end);

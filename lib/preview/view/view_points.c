@@ -53,6 +53,7 @@ static void build(const View *view, ViewData *data, Vertices *lists)
     const Recording *recording = &data->recording;
     bool flying = view->flight >= 0.0;
     size_t count = flying ? points_drawn(view, recording->count) : recording->count;
+    vertices_reserve(&lists[POINTS], count);
     for (size_t i = 0; i < count; i++) {
         const RecordedPhoton *photon = &recording->photons[i];
         if (!flying || (double)photon->flown <= view->flight)

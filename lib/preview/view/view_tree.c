@@ -54,6 +54,7 @@ static void build(const View *view, ViewData *data, Vertices *lists)
     const StoredPhoton *photon = photon_map_photons(data->map);
     found->level = (int)fmin(view->settings[VIEW_TREE][LEVEL], tree_depth(data->map));
     found->largest = 0;
+    vertices_reserve(&lists[POINTS], data->recording.count);
     for (size_t i = 0; i < (size_t)1 << found->level; i++) {
         size_t count;
         Box box = tree_cell(data->map, found->level, i, &count);
