@@ -172,6 +172,11 @@ static bool join(Run *run, WireKind kind, bool take, Buffer *whole)
 {
     for (int i = 0; i < run->part_count; i++) {
         Buffer *part = &run->parts[i].found[kind];
+        if (take && !whole->bytes) {
+            *whole = *part;
+            *part = (Buffer){NULL, 0, 0};
+            continue;
+        }
         if (!buffer_add(whole, part->bytes, part->size))
             return false;
         if (take)
