@@ -33,7 +33,8 @@ typedef struct {
     const char *meaning; // for scenes/README.md
 } SceneKey;
 
-typedef SceneKey SceneKeys[12]; // a table, of 11 rows at most; behind the last there is one without a name
+#define MOST_SCENE_KEYS 11
+typedef SceneKey SceneKeys[MOST_SCENE_KEYS + 1]; // a table; behind its last row there is one without a name
 
 #define KEY_REQUIRED NULL
 #define KEY_OPTIONAL ""

@@ -54,6 +54,16 @@ static bool row_is_used(const SceneSection *section, const SceneType *type, cons
     return !strstr(error.message, "the program") || is_unsound(type, section->name, error.message);
 }
 
+// Behind the last row there must be one without a name, at which its readers end.
+static bool table_ends(const SceneKey *keys, const char *name)
+{
+    if (!keys || !keys[MOST_SCENE_KEYS].name)
+        return true;
+    fprintf(stderr, "✗ %s: more than %d keys; MOST_SCENE_KEYS in lib/scene/scene_key.h allows no more\n", name,
+            MOST_SCENE_KEYS);
+    return false;
+}
+
 static bool type_is_sound(const SceneSection *section, const SceneType *type)
 {
     Error error = load_example(section, type->example);
@@ -83,6 +93,11 @@ bool scene_rows_are_sound(void)
     bool sound = true;
     const SceneType *type;
     for (int s = 0; s < SCENE_SECTIONS; s++) {
+        sound = table_ends(scene_sections[s]->keys, scene_sections[s]->name) && sound;
+        for (size_t i = 0; (type = scene_type_at(scene_sections[s], i)); i++)
+            sound = table_ends(type->keys, type->name) && sound;
+    }
+    for (int s = 0; sound && s < SCENE_SECTIONS; s++) {
         sound = kinds_agree(scene_sections[s]) && sound;
         for (size_t i = 0; (type = scene_type_at(scene_sections[s], i)); i++)
             sound = type_is_sound(scene_sections[s], type) && sound;
