@@ -68,7 +68,9 @@ static double distance_to(char *line, const Measured *found, int count)
         if (i == count || !word[name] || strncmp(word, found[i].check, name) != 0 || found[i].check[name])
             return INFINITY;
         Feature known = {.value = strtod(word + name + 1, &end)};
-        known.error = *end ? strtod(end + 1, NULL) : 0.0;
+        if (end == word + name + 1 || *end != ':')
+            return INFINITY;
+        known.error = strtod(end + 1, NULL);
         worst = fmax(worst, feature_distance(found[i].feature, &known));
     }
     return i == count ? worst : INFINITY;

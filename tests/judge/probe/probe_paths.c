@@ -67,7 +67,13 @@ static void count_stored(Batch *batch, const StoredPhoton *photon, bool spectral
 static void sum_up(const PhotonPass *pass, StepChoice play, Batch *batch)
 {
     *batch = (Batch){.segments = (double)pass->segments, .unsound = (double)pass->unsound.total};
-    memcpy(batch, &pass->ledger, sizeof pass->ledger);
+    const Ledger *ledger = &pass->ledger;
+    memcpy(batch->emitted, ledger->emitted, sizeof batch->emitted);
+    memcpy(batch->absorbed, ledger->absorbed, sizeof batch->absorbed);
+    memcpy(batch->escaped, ledger->escaped, sizeof batch->escaped);
+    memcpy(batch->cut, ledger->cut, sizeof batch->cut);
+    memcpy(batch->chance, ledger->chance, sizeof batch->chance);
+    memcpy(batch->chance_error, ledger->chance_error, sizeof batch->chance_error);
     for (size_t i = 0; i < pass->rest.count; i++)
         count_stored(batch, &pass->rest.photons[i], play.loop == LOOP_WAVELENGTH);
 }

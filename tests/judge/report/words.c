@@ -26,7 +26,7 @@ ReportStep report_scatter_step(const ReportScatter *scatter, char title[32])
     return (ReportStep){.id = "scatter",
                         .title = title,
                         .stage = scatter->stage,
-                        .status = scatter->status,
+                        .status = scatter->status == STATUS_TODO ? STATUS_SKIP : scatter->status,
                         .message = scatter->message,
                         .mistake = "scatter",
                         .output = "",
