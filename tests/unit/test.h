@@ -27,7 +27,7 @@ static void test_add(struct CMUnitTest test)
 
 // ---- errors
 
-// For calls to say in what went wrong; empty again once a test has looked at it, and at its end.
+// For calls to say in what went wrong; the first that is said stays. Empty again after assert_said, and at a test's end.
 static Error said;
 
 static inline void assert_said(const char *words)
@@ -38,7 +38,7 @@ static inline void assert_said(const char *words)
 }
 
 // The call, which takes &said, gives false or NULL, and says these words.
-#define assert_refused(call, words) (assert_true(!(call)), assert_said(words))
+#define assert_refused(call, words) (assert_string_equal(said.message, ""), assert_true(!(call)), assert_said(words))
 
 // It gives something else; if not, what it says is the failure.
 #define assert_works(call)                                                                                             \
