@@ -51,8 +51,9 @@ static bool is_whole(FlagKind kind)
 static bool parse_number(const Flag *flag, const char *text)
 {
     char *end;
+    errno = 0;
     double number = is_whole(flag->kind) ? (double)strtol(text, &end, 10) : (double)strtof(text, &end);
-    if (end == text || *end || !in_range(flag, number)) // what overflows is out of range
+    if (end == text || *end || (is_whole(flag->kind) && errno == ERANGE) || !in_range(flag, number))
         return false;
     if (flag->kind == FLAG_INT)
         *(int *)flag->value = (int)number;
@@ -86,9 +87,14 @@ static bool take_flag(const Flag *flag, const char *text)
         errno = 0;
         *(uint64_t *)flag->value = strtoull(text, &end, 10);
         return end != text && !*end && errno == 0 && !strchr(text, '-');
-    default:
+    case FLAG_INT:
+    case FLAG_LONG:
+    case FLAG_WHOLE:
+    case FLAG_FLOAT:
+    case FLAG_NUMBER:
         return parse_number(flag, text);
     }
+    return false;
 }
 
 static int refuse_flag(const char *command, const Flag *flag, const char *text)

@@ -109,9 +109,9 @@ bool text_find_name(const char *name, TextNameAt name_at, const void *list, size
     return false;
 }
 
-TextSuggestion text_suggest(const char *word, TextNameAt name_at, const void *list)
+TextLine text_suggest(const char *word, TextNameAt name_at, const void *list)
 {
-    TextSuggestion said = {""};
+    TextLine said = {""};
     const char *nearest = NULL, *name;
     size_t best = 3, first;
     for (size_t i = 0; (name = name_at(list, i)); i++) {

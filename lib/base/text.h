@@ -33,8 +33,8 @@ bool text_find_name(const char *name, TextNameAt name_at, const void *list, size
 // one of: a, b", each name once.
 typedef struct {
     char text[400];
-} TextSuggestion;
-TextSuggestion text_suggest(const char *word, TextNameAt name_at, const void *list);
+} TextLine;
+TextLine text_suggest(const char *word, TextNameAt name_at, const void *list);
 
 // snprintf behind the text that is there already; cut off at the end of `size` bytes.
 void text_append(char *text, size_t size, const char *format, ...) PRINTF_LIKE(3, 4);

@@ -123,7 +123,10 @@ static void wait_for(pid_t child, int in)
     Fall next;
     int status = 0;
     signal(SIGINT, SIG_IGN); // the one who works knows what to do
-    for (FILE *falls = fdopen(in, "rb"); falls && fread(&next, sizeof next, 1, falls) == 1;)
+    FILE *falls = fdopen(in, "rb");
+    if (!falls)
+        perror("photonlab: no word of a crash will come");
+    while (falls && fread(&next, sizeof next, 1, falls) == 1)
         fall = next;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;

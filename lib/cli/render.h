@@ -31,7 +31,7 @@ typedef struct {
     float seconds, alpha; // 0: no flag
     Choice radii;
     const char *part, *resume;
-    RenderOptions options; // settings: 0 or −1: no flag, so the scene's own value counts
+    RenderOptions options; // settings: 0 or −1: no flag, until complete_settings puts the scene's own value there
     bool sound;            // false: the picture holds what is no number
 } RenderJob;
 

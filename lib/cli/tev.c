@@ -16,10 +16,10 @@ enum { PACKET_CREATE = 4, PACKET_UPDATE = 6 }; // the latter in its third versio
 #define ROWS_AT_ONCE 64 // of a whole picture
 
 static struct {
-    int socket; // −1: it has gone
+    int socket; // −1: there is none, or it has gone
     int problem;
     const char *address, *name;
-} viewer;
+} viewer = {.socket = -1};
 
 static int connect_to(const char *host, const char *port)
 {
@@ -161,5 +161,6 @@ bool tev_close(Error *error)
                                                   viewer.address, strerror(viewer.problem));
     if (viewer.socket >= 0)
         close(viewer.socket);
+    viewer.socket = -1;
     return stayed;
 }

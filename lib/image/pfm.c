@@ -104,7 +104,8 @@ bool image_read_pfm_memory(Image *image, const unsigned char *bytes, size_t size
         !read_side(&header, &height, "the height, a whole number from 1 to 65536") ||
         !image_check_size(width, height, name, error))
         return false;
-    if (!is_scale(next_word(&header)))
+    word = next_word(&header);
+    if (!is_scale(word))
         return unexpected(&header, "the scale, a number other than 0 (-1: little-endian, 1: big-endian)");
     if (header.at < size)
         header.at++; // the one space that ends the header

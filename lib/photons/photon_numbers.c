@@ -71,6 +71,7 @@ bool photon_numbers_write(const char *path, const PhotonNumbersHead *head, const
 PhotonNumbers *photon_numbers_read(const char *path, PhotonNumbersHead *head, size_t *count, Error *error)
 {
     size_t size, start = strlen(MAGIC) + sizeof *head;
+    *count = 0;
     char *bytes = file_read(path, MOST_BYTES, &size, error);
     if (!bytes)
         return NULL;

@@ -4,6 +4,7 @@
 
 #include "math/colour.h"
 
+// Floats alone: so it goes into files of passes.
 typedef struct {
     float count;  // N: photons counted, of each pass the share α
     float radius; // R, m: photons nearer than this count

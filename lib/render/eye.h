@@ -29,9 +29,9 @@ typedef struct {
     IrradianceCache *own_cache;              // GATHER: estimates made in this tile
     Remembered memory[EYE_MEMORY];
     unsigned remembered;
-    PointStatistics *point; // of this pixel: photons go into it, and so into these; NULL: into the picture
-    int found;              // by the present ray
-    Colour flux;            // W/sr
+    PointStatistics *point; // the pixel's statistics; NULL: there are none. For it are collected
+    int found;              // photons of the present ray,
+    Colour flux;            // and their flux, W/sr
     Rng rng;
     Sampler sampler;
     uint64_t rays;

@@ -111,7 +111,7 @@ static size_t stride_through(size_t count)
     return stride;
 }
 
-// Those of the pixels that are open, in an order in which neighbours are far apart; how many.
+// Those of the pixels that are open, in an order in which neighbours are far apart; how many. The others become CLOSED.
 static size_t keep_open(Eye *eyes, int threads, uint32_t *pixels, size_t count, uint32_t *kept)
 {
 #pragma omp parallel for schedule(dynamic, 256) num_threads(threads)

@@ -11,7 +11,7 @@ typedef struct {
     IrradianceMap *ends; // GATHER: light where gather rays end
 } Maps;
 
-// Runs the photon pass, and adds to `stats` what it did. False when memory is short; maps_free is due in any case.
+// Runs the photon pass, and adds to `stats` what it did; ledger and map_bytes are of this pass alone. False when memory is short; maps_free is due in any case.
 bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, RenderStats *stats, Error *error);
 void maps_free(Maps *maps);
 

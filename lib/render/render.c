@@ -136,7 +136,8 @@ static bool look(const Scene *scene, const RenderOptions *options, const Maps *m
         double start = clock_seconds();
         ok = final_gather_fill(eyes, threads);
         stats->gather_seconds += clock_seconds() - start;
-        give_estimates(options, final.cache, stats);
+        if (ok)
+            give_estimates(options, final.cache, stats);
     }
     if (ok)
         eye_pass(eyes, threads, image);

@@ -55,7 +55,8 @@ typedef struct {
 } RenderStats;
 
 // Renders options->settings.width × height pixels into a fresh image. The same bytes whatever the number of threads.
-// Steps must have been loaded (path alone needs none). A pass adds its own to *stats. False when memory is short.
+// Steps must have been loaded (path alone needs none). *stats begins as zeros; a pass adds its own, but for
+// ledger and map_bytes, which are the last one's. False when memory is short.
 bool render_image(const Scene *scene, const RenderOptions *options, Image *image, RenderStats *stats, Error *error);
 
 #endif

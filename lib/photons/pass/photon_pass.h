@@ -40,7 +40,7 @@ typedef struct {
 // Where the flux went, W per channel (0 red, 1 green, 2 blue):
 //   emitted = absorbed + escaped + cut + chance, by construction;
 // that `chance` (what roulette, Fresnel's choice and the lobe's weights won or lost) is 0 within a few standard errors
-// is what right code adds to that.
+// is what right code adds to that. Doubles alone: so they are added up.
 typedef struct {
     double emitted[3];
     double absorbed[3]; // what the surfaces' albedos take of the flux that arrives
@@ -77,7 +77,7 @@ typedef struct {
 // The same bytes whatever the number of threads: a random stream per photon, and chunks merged in their order. False
 // on lack of memory, which shows after the first paths. Free with photon_pass_free; arrays taken over by a map must be zeroed first.
 bool photon_pass_run(const Scene *scene, const PhotonPassOptions *options, PhotonPass *pass, Error *error);
-void photon_pass_free(PhotonPass *pass);
+void photon_pass_free(PhotonPass *pass); // its photons; the numbers stay
 
 // Adds a later part's to the sum.
 void unsound_paths_add(UnsoundPaths *sum, const UnsoundPaths *part);

@@ -258,4 +258,5 @@ void obj_free(ObjMesh *mesh)
     free(mesh->points);
     free(mesh->normals);
     free(mesh->triangles);
+    *mesh = (ObjMesh){0};
 }

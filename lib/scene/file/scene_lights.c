@@ -136,24 +136,26 @@ typedef struct {
 } LightKind;
 
 static const LightKind kinds[] = {
-    // in the order of LightType
-    {{"rectangle", "rectangle light", "A parallelogram that shines to one side. Exactly one of `radiance` and `power`.",
-      rectangle_keys,
-      "{type: rectangle, corner: [-0.23, 0.99, -0.18], edge_u: [0.46, 0, 0], edge_v: [0, 0, 0.38], radiance: [15, 15, 15]}"},
-     build_rectangle},
-    {{"sphere", "sphere light", "A sphere that shines. Exactly one of `radiance` and `power`.", sphere_keys,
-      "{type: sphere, centre: [0, 0.8, 0], radius: 0.1, power: [8, 8, 8]}"},
-     build_sphere},
-    {{"point", "point light", "A point that shines evenly to all sides.", point_keys,
-      "{type: point, position: [0, 0.8, 0], power: [8, 8, 8]}"},
-     build_point},
-    {{"spot", "spot light", "A point that shines evenly into a cone.", spot_keys,
-      "{type: spot, position: [0, 0.9, 0], target: [0, 0, 0], angle: 25, power: [2, 2, 2]}"},
-     build_spot},
-    {{"beam", "beam light",
-      "Parallel rays from a disk, like a laser's. The beam itself cannot be seen: there is no dust in the air.",
-      beam_keys, "{type: beam, position: [-0.9, 0, 0], target: [0, 0, 0], radius: 0.003, power: [0.02, 0.02, 0.02]}"},
-     build_beam},
+    [LIGHT_RECTANGLE] =
+        {{"rectangle", "rectangle light",
+          "A parallelogram that shines to one side. Exactly one of `radiance` and `power`.", rectangle_keys,
+          "{type: rectangle, corner: [-0.23, 0.99, -0.18], edge_u: [0.46, 0, 0], edge_v: [0, 0, 0.38], radiance: [15, 15, 15]}"},
+         build_rectangle},
+    [LIGHT_SPHERE] = {{"sphere", "sphere light", "A sphere that shines. Exactly one of `radiance` and `power`.",
+                       sphere_keys, "{type: sphere, centre: [0, 0.8, 0], radius: 0.1, power: [8, 8, 8]}"},
+                      build_sphere},
+    [LIGHT_POINT] = {{"point", "point light", "A point that shines evenly to all sides.", point_keys,
+                      "{type: point, position: [0, 0.8, 0], power: [8, 8, 8]}"},
+                     build_point},
+    [LIGHT_SPOT] = {{"spot", "spot light", "A point that shines evenly into a cone.", spot_keys,
+                     "{type: spot, position: [0, 0.9, 0], target: [0, 0, 0], angle: 25, power: [2, 2, 2]}"},
+                    build_spot},
+    [LIGHT_BEAM] =
+        {{"beam", "beam light",
+          "Parallel rays from a disk, like a laser's. The beam itself cannot be seen: there is no dust in the air.",
+          beam_keys,
+          "{type: beam, position: [-0.9, 0, 0], target: [0, 0, 0], radius: 0.003, power: [0.02, 0.02, 0.02]}"},
+         build_beam},
 };
 
 // The file's power, as the spectrum colours it: for red, green and blue without what lies below 0, and for wavelengths.

@@ -72,9 +72,9 @@ static bool check_range(const SceneEntry *entry, const char *path, const SceneVa
 }
 
 // The names of the keys that are required, and of the others too.
-static TextSuggestion list_keys(const SceneKey *keys, bool others)
+static TextLine list_keys(const SceneKey *keys, bool others)
 {
-    TextSuggestion list = {""};
+    TextLine list = {""};
     for (int pass = 0; pass <= others; pass++)
         for (const SceneKey *key = keys; key->name; key++)
             if (!key->otherwise == !pass)

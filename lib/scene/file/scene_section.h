@@ -46,8 +46,8 @@ struct SceneEntry {
 // NULL: it has none for this key.
 SceneValue *scene_value(const SceneEntry *entry, const char *key);
 
-// A fault at a place that is no key's. Always false.
-#define scene_fault_at(of, at, ...) scene_fault(&(SceneEntry){.file = of, .place = at}, NULL, __VA_ARGS__)
+// A fault at a place that is no key's: "file:line:column: …". Always false.
+#define scene_fault_at(of, at, ...) scene_fault(&(SceneEntry){.file = (of), .place = (at)}, NULL, __VA_ARGS__)
 bool scene_out_of_memory(const SceneFile *file); // "file: not enough memory", false
 
 // Was every given key asked for, and no other? If not, the program lacks a row, or the code that uses one.

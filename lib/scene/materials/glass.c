@@ -10,7 +10,7 @@ static const char *glass_name(const void *unused, size_t i)
     return glass ? glass->name : NULL;
 }
 
-// Three indices, of the way that the file names.
+// The three indices, by whichever of the four ways the file gives; what it does not give is NULL or 0.
 static bool read_indices(SceneEntry *entry, Material *material)
 {
     static const double wavelengths[3] = {WAVELENGTH_RED, WAVELENGTH_GREEN, WAVELENGTH_BLUE};
@@ -27,7 +27,7 @@ static bool read_indices(SceneEntry *entry, Material *material)
         *index = name       ? (float)glass_index(material->sellmeier, wavelengths[c])
                  : abbe > 0 ? (float)cauchy_index(index_d, abbe, wavelengths[c])
                             : colour_channel(given, c);
-        if (!(*index >= 0.1f && *index <= 10.0f))
+        if (abbe > 0 && !(*index >= 0.1f && *index <= 10.0f))
             return scene_fault(entry, "abbe",
                                "index_d %g with abbe %g gives the index %g at %.0f nm; expected 0.1 to 10", index_d,
                                abbe, *index, wavelengths[c]);
