@@ -29,9 +29,9 @@ typedef struct {
     IrradianceCache *own_cache;              // GATHER: estimates made in this tile
     Remembered memory[EYE_MEMORY];
     unsigned remembered;
-    PointStatistics *point; // the pixel's statistics; NULL: there are none. For it are collected
-    int found;              // photons of the present ray,
-    Colour flux;            // and their flux, W/sr
+    PointStatistics *point; // the pixel's statistics, by pixel; else NULL. Of the present ray, for them:
+    int found;              // photons that it finds
+    Colour flux;            // their flux, W/sr
     Rng rng;
     Sampler sampler;
     uint64_t rays;

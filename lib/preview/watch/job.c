@@ -18,6 +18,6 @@ bool job_poll(Job *job, double longest, int *status)
     else if (!process_has_ended(&job->process, status))
         return false;
     process_read(&job->process, job->text, sizeof job->text, &job->size);
-    process_end(&job->process); // which what it left running may hold open; ends one that took too long
+    process_end(&job->process); // closes the pipe; where it took too long, ends the job as well
     return true;
 }
