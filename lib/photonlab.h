@@ -24,8 +24,7 @@
 //   Vectors are unit length where they are called a direction or a normal.
 //   Functions that can fail return false or NULL and explain themselves in an Error. The library never prints or exits.
 //   The same seed gives the same bytes, whatever the number of threads.
-#ifndef PHOTONLAB_H
-#define PHOTONLAB_H
+#pragma once
 
 #include "base/error.h"    // Error, error_set
 #include "base/parallel.h" // parallel_threads, clock_seconds
@@ -59,5 +58,3 @@
 #include "image/image.h"      // Image, image_read, image_write
 
 #include "steps/steps.h" // steps, steps_load: reflect, emit_photon, scatter_diffuse, …
-
-#endif

@@ -1,6 +1,5 @@
 // The shapes of make_meshes.c, as points and faces.
-#ifndef PHOTONLAB_SCENES_MESH_SHAPES_H
-#define PHOTONLAB_SCENES_MESH_SHAPES_H
+#pragma once
 
 #include <math.h>
 #include <stdbool.h>
@@ -202,5 +201,3 @@ static void ring(Mesh *mesh)
         mesh_face(mesh, "ring", 4, (int[]){2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
     }
 }
-
-#endif

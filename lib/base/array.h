@@ -1,6 +1,5 @@
 // Arrays that grow, and large ones.
-#ifndef PHOTONLAB_BASE_ARRAY_H
-#define PHOTONLAB_BASE_ARRAY_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -65,5 +64,3 @@ static inline bool array_has_room(double bytes)
     free(room);
     return room != NULL;
 }
-
-#endif

@@ -1,6 +1,5 @@
 // A program's flags, read by a table. Alone in the library, this prints: it speaks for main.
-#ifndef PHOTONLAB_BASE_COMMAND_LINE_H
-#define PHOTONLAB_BASE_COMMAND_LINE_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -49,5 +48,3 @@ int command_line_parse(const CommandLine *line, int count, char **arguments, con
 
 // Prints "COMMAND: message" and how to get help; returns EXIT_USAGE.
 int report_usage(const char *command, const char *format, ...);
-
-#endif

@@ -1,6 +1,5 @@
 // Where a fatal signal found the program, and in words for the person who wrote the code.
-#ifndef PHOTONLAB_BASE_CRASH_REPORT_H
-#define PHOTONLAB_BASE_CRASH_REPORT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -63,5 +62,3 @@ void crash_describe_signal(int number, unsigned long long address, const char *p
 
 // The stack overflowed, in this function; `caller`: who calls itself. Either may be NULL.
 void crash_describe_stack(const char *function, const char *caller, char *text, size_t size);
-
-#endif

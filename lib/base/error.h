@@ -1,7 +1,6 @@
 // What went wrong, in words for the person at the terminal. A function that can fail takes an Error * last and
 // returns false or NULL; `main` prints the message and exits with 1. The library itself never prints and never exits.
-#ifndef PHOTONLAB_ERROR_H
-#define PHOTONLAB_ERROR_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -14,5 +13,3 @@ typedef struct {
 // Writes the message (printf style, cut at the buffer's end) unless one stands there already, so that the first cause
 // wins. Control characters, which could upset a terminal, become '?'. Always returns false, so that `return error_set(…)` reads well. `error` may be NULL.
 bool error_set(Error *error, const char *format, ...) PRINTF_LIKE(2, 3);
-
-#endif

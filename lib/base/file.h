@@ -1,6 +1,5 @@
 // Whole files: reading all of one, and writing one so that it is there in full or not at all.
-#ifndef PHOTONLAB_FILE_H
-#define PHOTONLAB_FILE_H
+#pragma once
 
 #include "base/error.h"
 
@@ -63,5 +62,3 @@ bool file_write_begin(FileWriter *writer, const char *path, Error *error);
 // With `keep`: closes the file and renames it to the path. Otherwise, or when the disk took less than it was given,
 // removes it and leaves what stood at the path as it was. True when the file is in place.
 bool file_write_end(FileWriter *writer, bool keep, Error *error);
-
-#endif

@@ -1,6 +1,5 @@
 // Threads and time. Without OpenMP everything runs on one thread.
-#ifndef PHOTONLAB_PARALLEL_H
-#define PHOTONLAB_PARALLEL_H
+#pragma once
 
 // OMP(omp parallel): a pragma that is nothing without OpenMP.
 #ifdef _OPENMP
@@ -20,5 +19,3 @@ void parallel_limit(int threads);
 
 // Seconds of wall clock since some fixed time.
 double clock_seconds(void);
-
-#endif

@@ -1,6 +1,5 @@
 // A program that runs in the background, what it prints coming down a pipe.
-#ifndef PHOTONLAB_BASE_PROCESS_H
-#define PHOTONLAB_BASE_PROCESS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -30,5 +29,3 @@ void process_kill(Process *process);
 // Asks it to end and to end what it started; what has not ended after 0.3 s is killed. A shell in between has to `exec`, so that nobody
 // waits for the dead of its group.
 void process_end(Process *process);
-
-#endif

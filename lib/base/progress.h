@@ -1,6 +1,5 @@
 // Telling a person how far the work is.
-#ifndef PHOTONLAB_PROGRESS_H
-#define PHOTONLAB_PROGRESS_H
+#pragma once
 
 // Called from any one thread at a time; fraction 0…1 of the named phase. A NULL function is not called.
 typedef struct {
@@ -13,5 +12,3 @@ static inline void progress_report(const Progress *progress, const char *phase, 
     if (progress->report)
         progress->report(progress->user, phase, fraction);
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Reading text: whole files, numbers, and names that were nearly right.
-#ifndef PHOTONLAB_BASE_TEXT_H
-#define PHOTONLAB_BASE_TEXT_H
+#pragma once
 
 #include "base/error.h"
 
@@ -38,5 +37,3 @@ TextLine text_suggest(const char *word, TextNameAt name_at, const void *list);
 
 // snprintf behind the text that is there already; cut off at the end of `size` bytes.
 void text_append(char *text, size_t size, const char *format, ...) PRINTF_LIKE(3, 4);
-
-#endif

@@ -1,6 +1,5 @@
 // The program's subcommands, and what they share.
-#ifndef PHOTONLAB_CLI_CLI_H
-#define PHOTONLAB_CLI_CLI_H
+#pragma once
 
 #include "base/command_line.h"
 #include "photonlab.h"
@@ -56,5 +55,3 @@ void guard_alive(void);
 
 // The end of the line of JSON: what right steps never do, and the ledger.
 void print_ledger_json(const Ledger *ledger, const UnsoundPaths *unsound);
-
-#endif

@@ -1,6 +1,5 @@
 // The command `render`: its flags, the work by passes, and a live picture in the viewer tev.
-#ifndef PHOTONLAB_CLI_RENDER_H
-#define PHOTONLAB_CLI_RENDER_H
+#pragma once
 
 #include "cli/cli.h"
 #include "render/passes/pass_file.h"
@@ -43,5 +42,3 @@ bool pass_flags_check(const RenderJob *job, Error *error);
 
 // Renders and writes. False with the reason, which may be that somebody stopped it.
 bool render_by_passes(RenderJob *job, const Scene *scene, RenderStats *stats, Error *error);
-
-#endif

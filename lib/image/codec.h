@@ -1,7 +1,6 @@
 // What the image formats share inside this folder, and the way in for the fuzzers: pixels from and to bytes
 // on one side (png.c, pfm.c), bytes from and to files on the other (image.c).
-#ifndef PHOTONLAB_IMAGE_CODEC_H
-#define PHOTONLAB_IMAGE_CODEC_H
+#pragma once
 
 #include "image/image.h"
 
@@ -32,5 +31,3 @@ bool image_check_size(long width, long height, const char *name, Error *error);
 
 // False, naming the pixel, when one is NaN or infinite, or when there are none at all.
 bool image_check_finite(const Image *image, const char *name, Error *error);
-
-#endif

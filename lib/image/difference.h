@@ -1,6 +1,5 @@
 // How far one image is from another.
-#ifndef PHOTONLAB_IMAGE_DIFFERENCE_H
-#define PHOTONLAB_IMAGE_DIFFERENCE_H
+#pragma once
 
 #include "image/image.h"
 
@@ -33,5 +32,3 @@ bool image_difference(const Image *image, const Image *reference, ImageMask mask
 // white where they agree; full colour at ±scale (scale 0: chosen from the picture, its 99th percentile).
 // False as above, or when the scale is negative or NaN.
 bool image_difference_picture(const Image *image, const Image *reference, float scale, Image *picture, Error *error);
-
-#endif

@@ -1,7 +1,6 @@
 // Images: linear RGB floats (radiance, W/(m²·sr)), row 0 at the top. PNG is for looking (sRGB, clipped to 0…1), PFM
 // for measuring (linear floats, nothing lost), EXR the same for other programs.
-#ifndef PHOTONLAB_IMAGE_IMAGE_H
-#define PHOTONLAB_IMAGE_IMAGE_H
+#pragma once
 
 #include "base/error.h"
 #include "math/colour.h"
@@ -52,5 +51,3 @@ bool image_mark_unsound(Image *image, const char *name, Error *error);
 
 // True if image_write knows the path's ending; otherwise an error that names the endings it knows.
 bool image_path_is_known(const char *path, Error *error);
-
-#endif

@@ -1,7 +1,6 @@
 // Colours: one number each for red, green and blue, linear in light. What they measure (radiance in W/(m²·sr),
 // flux in W, reflectance without unit) is said where they are used.
-#ifndef PHOTONLAB_MATH_COLOUR_H
-#define PHOTONLAB_MATH_COLOUR_H
+#pragma once
 
 typedef struct {
     float r, g, b;
@@ -71,5 +70,3 @@ static inline Colour colour_only(int channel, float value)
     colour_set_channel(&result, channel, value);
     return result;
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Turning a direction from "z is up" coordinates to stand about a given axis.
-#ifndef PHOTONLAB_MATH_FRAME_H
-#define PHOTONLAB_MATH_FRAME_H
+#pragma once
 
 #include "math/vec3.h"
 
@@ -28,5 +27,3 @@ static inline Vec3 frame_to_world(const Frame *frame, Vec3 local)
                 local.x * frame->tangent.y + local.y * frame->bitangent.y + local.z * frame->normal.y,
                 local.x * frame->tangent.z + local.y * frame->bitangent.z + local.z * frame->normal.z);
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Rays and boxes.
-#ifndef PHOTONLAB_MATH_RAY_H
-#define PHOTONLAB_MATH_RAY_H
+#pragma once
 
 #include "math/vec3.h"
 
@@ -48,5 +47,3 @@ static inline float box_diagonal(Box box)
 {
     return vec3_length(vec3_sub(box.high, box.low));
 }
-
-#endif

@@ -1,7 +1,6 @@
 // Random numbers: PCG32 (O'Neill 2014), one stream per photon or pixel, so that every run gives the same numbers
 // whatever the number of threads.
-#ifndef PHOTONLAB_MATH_RNG_H
-#define PHOTONLAB_MATH_RNG_H
+#pragma once
 
 #include <stdint.h>
 
@@ -42,5 +41,3 @@ static inline float rng_float(Rng *rng)
 {
     return (float)(rng_u32(rng) >> 8) * (1.0f / 16777216.0f);
 }
-
-#endif

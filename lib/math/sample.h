@@ -1,7 +1,6 @@
 // Samplers for the library's own use (the eye pass, the path tracer and the light sources that are no exercise), each
 // beside its density. The path tracer must not lean on a student's steps: it is there to check them.
-#ifndef PHOTONLAB_MATH_SAMPLE_H
-#define PHOTONLAB_MATH_SAMPLE_H
+#pragma once
 
 #include "math/frame.h"
 #include "math/rng.h"
@@ -42,5 +41,3 @@ static inline Vec3 sample_cosine(Vec3 n, float u, float v)
     d.z = sqrtf(fmaxf(0.0f, 1.0f - u));
     return frame_to_world(&frame, d);
 }
-
-#endif

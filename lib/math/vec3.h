@@ -1,6 +1,5 @@
 // Vectors: positions in metres and directions, by value.
-#ifndef PHOTONLAB_MATH_VEC3_H
-#define PHOTONLAB_MATH_VEC3_H
+#pragma once
 
 #include <math.h>
 
@@ -67,5 +66,3 @@ static inline float vec3_component(Vec3 a, int axis)
 {
     return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
 }
-
-#endif

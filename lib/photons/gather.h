@@ -1,6 +1,5 @@
 // How the eye pass looks photons up: what step 1.6 is given.
-#ifndef PHOTONLAB_PHOTONS_GATHER_H
-#define PHOTONLAB_PHOTONS_GATHER_H
+#pragma once
 
 #include "photons/photon_map.h"
 #include "scene/scene.h"
@@ -24,5 +23,3 @@ static inline Colour gather_brdf(const Gather *gather, const Hit *hit, const Sto
         return colour_scale(hit->material->diffuse, 1.0f / PI);
     return material_brdf(hit->material, gather->glossy, stored_photon_wi(photon), wo, hit->normal);
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Irradiance as final gathering estimates it: what stage 4 fills in and reads.
-#ifndef PHOTONLAB_PHOTONS_IRRADIANCE_H
-#define PHOTONLAB_PHOTONS_IRRADIANCE_H
+#pragma once
 
 #include "math/colour.h"
 #include "math/vec3.h"
@@ -26,5 +25,3 @@ typedef struct {
 
 // One thread's gather rays; see render/gather/gather_trace.h, whose calls take it.
 typedef struct GatherTrace GatherTrace;
-
-#endif

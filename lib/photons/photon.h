@@ -1,6 +1,5 @@
 // Photons in flight and at rest.
-#ifndef PHOTONLAB_PHOTONS_PHOTON_H
-#define PHOTONLAB_PHOTONS_PHOTON_H
+#pragma once
 
 #include "math/colour.h"
 #include "math/vec3.h"
@@ -101,5 +100,3 @@ static inline int stored_photon_on_side(const StoredPhoton *photon, Vec3 normal)
 {
     return vec3_dot(direction_unpack_raw(photon->packed_wi), normal) > 0.0f;
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Stored photons as a point cloud, for other programs to open.
-#ifndef PHOTONLAB_PHOTONS_PHOTON_FILE_H
-#define PHOTONLAB_PHOTONS_PHOTON_FILE_H
+#pragma once
 
 #include "base/error.h"
 #include "photons/photon.h"
@@ -15,5 +14,3 @@ bool photon_file_write(const StoredPhoton *photons, size_t count, const char *pa
 
 // True if the ending is known; otherwise an error naming those that are.
 bool photon_file_path_is_known(const char *path, Error *error);
-
-#endif

@@ -7,8 +7,7 @@
 //   size_t found = photon_map_nearest(map, point, 50, &radius2, near);
 //   …
 //   photon_map_free(map);
-#ifndef PHOTONLAB_PHOTONS_PHOTON_MAP_H
-#define PHOTONLAB_PHOTONS_PHOTON_MAP_H
+#pragma once
 
 #include "base/error.h"
 #include "photons/photon.h"
@@ -39,5 +38,3 @@ size_t photon_map_nearest(const PhotonMap *map, Vec3 point, size_t k, float *rad
 size_t photon_map_count(const PhotonMap *map);
 const StoredPhoton *photon_map_photons(const PhotonMap *map); // all of them, in the tree's order
 size_t photon_map_bytes(const PhotonMap *map);                // photons and index together
-
-#endif

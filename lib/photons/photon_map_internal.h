@@ -3,8 +3,7 @@
 // Every split halves its photons exactly, so a node's range of the photon array follows from its place in the tree: of
 // 2^depth leaves, leaf i holds the photons from count·i / 2^depth on. Nodes keep tight boxes in place of splitting
 // planes: photons lie on surfaces, and a tight box is much smaller than its cell.
-#ifndef PHOTONLAB_PHOTONS_PHOTON_MAP_INTERNAL_H
-#define PHOTONLAB_PHOTONS_PHOTON_MAP_INTERNAL_H
+#pragma once
 
 #include "math/ray.h"
 #include "photons/photon_map.h"
@@ -80,5 +79,3 @@ static inline void swap_bytes(void *a, void *b, size_t size)
 // Reorders the photons, which lie in `box`, so that none of the first `rank` has a larger coordinate along
 // the box's longest side than any of the others. `values`: scratch for one float per photon.
 void photon_map_halve(StoredPhoton *photons, size_t count, Box box, size_t rank, float *values);
-
-#endif

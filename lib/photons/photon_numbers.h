@@ -1,8 +1,7 @@
 // Photons at rest as plain numbers, as the judge gets them from the probe and shows them by `photonlab preview
 // --photons-file`: a file holds a line, a head and the photons in the order of their paths, as they come off this
 // machine.
-#ifndef PHOTONLAB_PHOTONS_PHOTON_NUMBERS_H
-#define PHOTONLAB_PHOTONS_PHOTON_NUMBERS_H
+#pragma once
 
 #include "base/error.h"
 #include "photons/photon.h"
@@ -42,5 +41,3 @@ bool photon_numbers_write(const char *path, const PhotonNumbersHead *head, const
                           Error *error);
 // NULL, with an error, for a file that is not well formed. The caller frees the photons.
 PhotonNumbers *photon_numbers_read(const char *path, PhotonNumbersHead *head, size_t *count, Error *error);
-
-#endif

@@ -1,6 +1,5 @@
 // What progressive photon mapping keeps of a point that the eye sees: what stage 5 fills in and reads.
-#ifndef PHOTONLAB_PHOTONS_PROGRESSIVE_H
-#define PHOTONLAB_PHOTONS_PROGRESSIVE_H
+#pragma once
 
 #include "math/colour.h"
 
@@ -10,5 +9,3 @@ typedef struct {
     float radius; // R, m: photons nearer than this count
     Colour flux;  // τ: Σ f_r·Φ of the photons within R, over all passes, W/sr
 } PointStatistics;
-
-#endif

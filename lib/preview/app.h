@@ -1,6 +1,5 @@
 // The window's state, and what keys and mouse do to it.
-#ifndef PHOTONLAB_PREVIEW_APP_H
-#define PHOTONLAB_PREVIEW_APP_H
+#pragma once
 
 #include "preview/session.h"
 #include "preview/window.h"
@@ -39,5 +38,3 @@ void app_listen(App *app); // has GLFW call app_key, and do what the mouse says
 void app_key(App *app, int key);
 const char *app_key_list(void); // what each key does, in lines
 void app_moved(App *app);       // to be called when the camera did
-
-#endif

@@ -1,6 +1,5 @@
 // The live preview: a window on the photons of the student's code, and the same picture without a display.
-#ifndef PHOTONLAB_PREVIEW_PREVIEW_H
-#define PHOTONLAB_PREVIEW_PREVIEW_H
+#pragma once
 
 #include "preview/draw/context/context.h"
 #include "preview/run/run.h"
@@ -41,5 +40,3 @@ bool preview_window(const Scene *scene, const PreviewOptions *options, Broker *b
 // A picture into options->snapshot, by nobody's display. A fault in the student's code is the error, or, with
 // options->every_save, told in the picture and on standard output.
 bool preview_snapshot(const Scene *scene, const PreviewOptions *options, Broker *broker, Error *error);
-
-#endif

@@ -1,7 +1,6 @@
 // What the preview is busy with: the runs whose results will be shown, the watch, and the words about both. Knows
 // nothing of windows; the window and the snapshots drive it alike.
-#ifndef PHOTONLAB_PREVIEW_SESSION_H
-#define PHOTONLAB_PREVIEW_SESSION_H
+#pragma once
 
 #include "preview/preview.h"
 #include "preview/watch/coach.h"
@@ -108,5 +107,3 @@ void session_draw(const Session *session, const View *view, const char *help);
 bool snapshot_write(Canvas *canvas, const char *path, Error *error);
 // The flags that make the present picture again, to be typed.
 void snapshot_command(const Session *session, char *text, size_t size);
-
-#endif

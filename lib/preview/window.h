@@ -1,6 +1,5 @@
 // A window on the screen with OpenGL in it, by GLFW, which is looked for at run time.
-#ifndef PHOTONLAB_PREVIEW_WINDOW_H
-#define PHOTONLAB_PREVIEW_WINDOW_H
+#pragma once
 
 #include "preview/draw/canvas.h"
 
@@ -35,5 +34,3 @@ void window_free(Window *window);
 float window_scale(Window *window); // of words, on this monitor: 1 where they are as large as at 96 dots an inch
 
 GlLoader window_loader(void); // of the context that is present
-
-#endif

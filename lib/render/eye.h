@@ -1,6 +1,5 @@
 // What the eye pass does along one ray. Inside lib/render only.
-#ifndef PHOTONLAB_RENDER_EYE_H
-#define PHOTONLAB_RENDER_EYE_H
+#pragma once
 
 #include "photons/gather.h"
 #include "render/gather/irradiance_cache.h"
@@ -75,5 +74,3 @@ bool sample_rough(const Hit *hit, Vec3 wo, float lobe_share, float choice, float
 // Glass as eye rays see it, for one index: Fresnel reflectance and the refracted direction (valid when the reflectance
 // is below 1). The library's own optics: pictures of the path tracer must not depend on a student's steps.
 float glass_optics(const Hit *hit, Vec3 direction, float index, Vec3 *refracted);
-
-#endif

@@ -2,8 +2,7 @@
 // where they end, and not from a look-up where one looks. Its blotches are then averaged away.
 //
 //   photons ──▶ irradiance_map: E at some of them ──▶ gather rays (gather_trace) ──▶ irradiance_estimate ──▶ irradiance_cache
-#ifndef PHOTONLAB_RENDER_FINAL_GATHER_H
-#define PHOTONLAB_RENDER_FINAL_GATHER_H
+#pragma once
 
 #include "render/eye.h"
 #include "render/gather/gather_trace.h"
@@ -40,5 +39,3 @@ Colour final_gather_irradiance(Eye *eye, const Hit *hit, Vec3 wo, float distance
 
 // An estimate by gather rays.
 void irradiance_estimate_make(Eye *eye, const Hit *hit, Vec3 wo, float distance, IrradianceEstimate *estimate);
-
-#endif

@@ -1,6 +1,5 @@
 // What the eye pass looks up: made of photons before the first eye ray.
-#ifndef PHOTONLAB_RENDER_MAPS_H
-#define PHOTONLAB_RENDER_MAPS_H
+#pragma once
 
 #include "render/gather/irradiance_map.h"
 #include "render/render.h"
@@ -14,5 +13,3 @@ typedef struct {
 // Runs the photon pass, and adds to `stats` what it did; ledger and map_bytes are of this pass alone. False when memory is short; maps_free is due in any case.
 bool maps_make(const Scene *scene, const RenderOptions *options, Maps *maps, RenderStats *stats, Error *error);
 void maps_free(Maps *maps);
-
-#endif

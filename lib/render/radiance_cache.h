@@ -1,8 +1,7 @@
 // Indirect light changes slowly: where an estimate was made a fraction of its own radius away, its disk of photons is
 // nearly the same one. The eye pass keeps the estimates of one tile for matt surfaces, which look the same from
 // everywhere, and shares them (in the spirit of Ward et al. 1988).
-#ifndef PHOTONLAB_RENDER_RADIANCE_CACHE_H
-#define PHOTONLAB_RENDER_RADIANCE_CACHE_H
+#pragma once
 
 #include "math/colour.h"
 #include "math/vec3.h"
@@ -36,5 +35,3 @@ bool radiance_cache_find(const RadianceCache *cache, Vec3 position, Vec3 normal,
 
 // When the cache is full the estimate is not kept.
 void radiance_cache_add(RadianceCache *cache, const CachedRadiance *entry);
-
-#endif

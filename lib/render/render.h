@@ -1,6 +1,5 @@
 // The eye pass: from a scene and its photons to an image.
-#ifndef PHOTONLAB_RENDER_RENDER_H
-#define PHOTONLAB_RENDER_RENDER_H
+#pragma once
 
 #include "image/image.h"
 #include "photons/irradiance.h"
@@ -58,5 +57,3 @@ typedef struct {
 // Steps must have been loaded (path alone needs none). *stats begins as zeros; a pass adds its own, but for
 // ledger and map_bytes, which are the last one's. False when memory is short.
 bool render_image(const Scene *scene, const RenderOptions *options, Image *image, RenderStats *stats, Error *error);
-
-#endif

@@ -1,8 +1,7 @@
 // Well-spread numbers for the samples of one pixel: the (0,2)-sequence of van der Corput and Sobol', scrambled per
 // pixel and dimension (Kollig & Keller 2002). Any power-of-two run of samples is stratified in both coordinates at
 // once.
-#ifndef PHOTONLAB_RENDER_SAMPLER_H
-#define PHOTONLAB_RENDER_SAMPLER_H
+#pragma once
 
 #include "math/rng.h"
 
@@ -53,5 +52,3 @@ static inline void sampler_point(const Sampler *sampler, uint32_t use, float *u,
 #define SAMPLER_LIGHT 1u       // and upwards: one use per light
 #define SAMPLER_LOBE  1000000u // and upwards: one use per bounce
 #define SAMPLER_WAVE  2000000u // the wavelength behind dispersing glass
-
-#endif

@@ -1,6 +1,5 @@
 // Pinhole camera.
-#ifndef PHOTONLAB_SCENE_CAMERA_H
-#define PHOTONLAB_SCENE_CAMERA_H
+#pragma once
 
 #include "math/ray.h"
 
@@ -19,5 +18,3 @@ static inline Ray camera_ray(const Camera *camera, float x, float y, float aspec
     direction = vec3_along(direction, camera->up, upwards);
     return (Ray){camera->position, vec3_normalize(direction), NO_PRIMITIVE};
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Refractive indices of real glasses by wavelength.
-#ifndef PHOTONLAB_SCENE_GLASS_CATALOGUE_H
-#define PHOTONLAB_SCENE_GLASS_CATALOGUE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -29,5 +28,3 @@ void cauchy_coefficients(double n_d, double abbe, double *a, double *b);
 double cauchy_index(double n_d, double abbe, double wavelength_nm);
 // The same closest to three indices, at the three wavelengths above (least squares).
 void cauchy_through(const float index[3], double *a, double *b);
-
-#endif

@@ -1,6 +1,5 @@
 // Light sources.
-#ifndef PHOTONLAB_SCENE_LIGHT_H
-#define PHOTONLAB_SCENE_LIGHT_H
+#pragma once
 
 #include "math/colour.h"
 #include "math/ray.h"
@@ -48,5 +47,3 @@ float light_power_at(const Light *light, float wavelength);
 // With wavelengths: what a surface of this BRDF makes of light that arrives by this geometry. A wall's three reflectances are
 // not enough where a lamp's light is no white: sodium light has one hue on every wall.
 Colour light_reflected(const Light *light, Colour brdf, float geometry);
-
-#endif

@@ -1,6 +1,5 @@
 // How large and how small things may be. Scene files and flags of the command line ask for no more.
-#ifndef PHOTONLAB_SCENE_LIMITS_H
-#define PHOTONLAB_SCENE_LIMITS_H
+#pragma once
 
 #define MOST_PHOTONS 1000000000L
 #define MOST_K       1000000
@@ -16,5 +15,3 @@
 // both sides.
 #define SCENE_LARGEST_NUMBER  1e9 // of any number in a scene file or mesh
 #define SCENE_SMALLEST_LENGTH 1e-9f
-
-#endif

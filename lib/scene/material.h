@@ -1,6 +1,5 @@
 // Materials: what a surface does with light.
-#ifndef PHOTONLAB_SCENE_MATERIAL_H
-#define PHOTONLAB_SCENE_MATERIAL_H
+#pragma once
 
 #include "base/error.h"
 #include "math/colour.h"
@@ -75,5 +74,3 @@ Colour material_albedo(const Material *material, GlossyModel model, float cos_wi
 // error below 1e-3 for n ≤ 1000 and θ ≤ 85°.
 void lobe_table_fill(LobeTable *table, float exponent);
 float lobe_lookup(const float table[LOBE_TABLE_SIZE], float cos_theta);
-
-#endif

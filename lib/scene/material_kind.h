@@ -1,6 +1,5 @@
 // What makes a kind of material. Each is a file of its own in lib/scene/materials/, listed in materials.def.
-#ifndef PHOTONLAB_SCENE_MATERIAL_KIND_H
-#define PHOTONLAB_SCENE_MATERIAL_KIND_H
+#pragma once
 
 #include "scene/limits.h"
 #include "scene/material.h"
@@ -50,5 +49,3 @@ static inline const MaterialKind *material_kind(const Material *material)
 {
     return material->kind ? material->kind : material_kinds[material->type];
 }
-
-#endif

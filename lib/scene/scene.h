@@ -1,6 +1,5 @@
 // A scene, loaded and ready for rays.
-#ifndef PHOTONLAB_SCENE_SCENE_H
-#define PHOTONLAB_SCENE_SCENE_H
+#pragma once
 
 #include "base/error.h"
 #include "scene/bvh/bvh.h"
@@ -77,5 +76,3 @@ bool scene_intersect(const Scene *scene, const Ray *ray, Hit *hit);
 
 // Is anything between the ray's origin and `distance`? The light's own surface does not count.
 bool scene_occluded(const Scene *scene, const Ray *ray, float distance, const Light *light);
-
-#endif

@@ -1,7 +1,6 @@
 // The keys of the scene file: each is one row of a type's table. Reading and checking a file, "did you mean",
 // scenes/README.md and the fuzzer's words follow from the rows; what a key does is in its type's build function.
-#ifndef PHOTONLAB_SCENE_SCENE_KEY_H
-#define PHOTONLAB_SCENE_SCENE_KEY_H
+#pragma once
 
 #include "base/error.h"
 #include "math/colour.h"
@@ -79,5 +78,3 @@ const char *scene_word(SceneEntry *entry, const char *key);
 // "file:line:column: …" with the place of a key's value, or of the entry itself (NULL, or a key that the file does not
 // give). Always false.
 bool scene_fault(const SceneEntry *entry, const char *key, const char *format, ...) PRINTF_LIKE(3, 4);
-
-#endif

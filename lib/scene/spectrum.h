@@ -2,8 +2,7 @@
 //
 // Wavelengths are in nm, from WAVELENGTH_FIRST to WAVELENGTH_LAST; a mean over wavelengths is one over this range. Equal energy
 // at all of them is white, (1, 1, 1): so lamps without a spectrum of their own have the same colour as without wavelengths.
-#ifndef PHOTONLAB_SCENE_SPECTRUM_H
-#define PHOTONLAB_SCENE_SPECTRUM_H
+#pragma once
 
 #include "math/colour.h"
 
@@ -51,5 +50,3 @@ float spectrum_at(const Spectrum *spectrum, float wavelength);
 
 // The colour of a lamp of this spectrum and power behind a filter of this colour.
 Colour spectrum_colour(const Spectrum *spectrum, Colour power, Colour filter);
-
-#endif

@@ -1,7 +1,6 @@
 // Stage 1, diffuse photon map: the contracts of its steps. Each is one function in one file. A step may call those that
 // its contract names, as steps.scatter_diffuse(…), and any function of the library.
-#ifndef PHOTONLAB_STEPS_DIFFUSE_PHOTON_MAP_H
-#define PHOTONLAB_STEPS_DIFFUSE_PHOTON_MAP_H
+#pragma once
 
 #include "math/rng.h"
 #include "photons/gather.h"
@@ -44,5 +43,3 @@ void trace_photon(PhotonTrace *trace, Photon photon, Rng *rng);
 // allowed. Only photons that arrived on the side of hit->normal count. No cosine: the flux Φ has it already. `wo` is
 // the unit direction to the eye. No photon near: 0. See lib/photons/gather.h and lib/photons/photon_map.h.
 Colour estimate_radiance(const PhotonMap *map, const Hit *hit, Vec3 wo, Gather *gather);
-
-#endif

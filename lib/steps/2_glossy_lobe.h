@@ -3,8 +3,7 @@
 // "The source text" is the student project that this course goes back to (course 02562, Technical University of
 // Denmark), which added glossy photons and colour dispersion to a photon mapper. Step 2.3 follows it to the letter,
 // step 2.4 puts it right.
-#ifndef PHOTONLAB_STEPS_GLOSSY_LOBE_H
-#define PHOTONLAB_STEPS_GLOSSY_LOBE_H
+#pragma once
 
 #include "math/rng.h"
 #include "math/vec3.h"
@@ -37,5 +36,3 @@ bool scatter_glossy_source_text(Vec3 direction, Vec3 normal, float exponent, Rng
 // What the lobe loses below the surface is really lost: at n = 100 and 80° a share of 0.175ρ is reflected, where step
 // 2.3 sends on all of ρ, but a part of it the wrong way.
 bool scatter_glossy_phong(Vec3 direction, Vec3 normal, float exponent, Rng *rng, Vec3 *out, float *weight);
-
-#endif

@@ -1,6 +1,5 @@
 // Stage 3, colour dispersion: the contracts of its steps.
-#ifndef PHOTONLAB_STEPS_COLOUR_DISPERSION_H
-#define PHOTONLAB_STEPS_COLOUR_DISPERSION_H
+#pragma once
 
 #include "math/rng.h"
 #include "photons/photon.h"
@@ -34,5 +33,3 @@ void trace_photon_in_colour(PhotonTrace *trace, Photon photon, Rng *rng);
 // with one channel of its power and that channel's colour, in this order: (Φr,0,0) RED, (0,Φg,0) GREEN, (0,0,Φb) BLUE.
 // All else they have from *photon. Any other photon goes on as it is. Returns how many: 3 or 1.
 int split_colour(const Photon *photon, const Material *glass, Photon children[3]);
-
-#endif

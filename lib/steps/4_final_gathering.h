@@ -3,8 +3,7 @@
 // Until here light is looked up in the map where one looks, and its blotches are seen. Now rays go out from there over the
 // hemisphere, and the map is looked up where they end (Jensen 1996): hundreds of look-ups are averaged. Neighbouring
 // points share what they found (irradiance caching: Ward, Rubinstein & Clear 1988).
-#ifndef PHOTONLAB_STEPS_FINAL_GATHERING_H
-#define PHOTONLAB_STEPS_FINAL_GATHERING_H
+#pragma once
 
 #include "math/ray.h"
 #include "math/rng.h"
@@ -51,5 +50,3 @@ float irradiance_reach(const Hemisphere *seen, float shortest, float longest);
 // and *irradiance left alone, where none serves. n·n_i may come out a little above 1.
 bool interpolate_irradiance(const IrradianceEstimate *const near[], size_t count, Vec3 position, Vec3 normal,
                             float accuracy, Colour *irradiance);
-
-#endif

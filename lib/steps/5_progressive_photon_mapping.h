@@ -6,8 +6,7 @@
 //   a radius for the whole pass, by its number (Knaus & Zwicker 2011): 5.1, and 5.2 takes the mean
 //   a radius for each pixel, by the photons that it found (Hachisuka, Ogaki & Jensen 2008; a point drawn anew in each
 //   pass: Hachisuka & Jensen 2009): 5.3 and 5.4
-#ifndef PHOTONLAB_STEPS_PROGRESSIVE_PHOTON_MAPPING_H
-#define PHOTONLAB_STEPS_PROGRESSIVE_PHOTON_MAPPING_H
+#pragma once
 
 #include "math/colour.h"
 #include "photons/progressive.h"
@@ -35,5 +34,3 @@ PointStatistics add_photons(PointStatistics point, int found, Colour flux, float
 //          L = τ/(passes · πR²)
 // Each pass has shared the light's whole power out among its own photons, so that in τ there is the light of all passes.
 Colour point_radiance(PointStatistics point, int passes);
-
-#endif

@@ -3,8 +3,7 @@
 // Stage 3 parts white light into three colours, so a prism makes three spots. Here a photon has one wavelength for its whole
 // life, drawn where it is emitted. Glass then has one index for it, a wall one reflectance, and its flux is one number, three
 // times the same in photon.power. It becomes a colour where it is stored; the mean over many wavelengths is a full spectrum.
-#ifndef PHOTONLAB_STEPS_SPECTRAL_DISPERSION_H
-#define PHOTONLAB_STEPS_SPECTRAL_DISPERSION_H
+#pragma once
 
 #include "math/rng.h"
 #include "photons/photon.h"
@@ -43,5 +42,3 @@ Colour wavelength_colour(float wavelength);
 //                refract (3.1); its power stays as it is, and nothing splits
 // photon_scatter_glossy and photon_store know of wavelengths; the latter makes a colour of it by 6.3.
 void trace_photon_at_wavelength(PhotonTrace *trace, Photon photon, Rng *rng);
-
-#endif

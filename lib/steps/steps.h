@@ -3,8 +3,7 @@
 // Every step is one function in one source file, built into one shared object. steps_load fills the slots below from
 // the reference solutions and, step by step, from a student's objects. Steps call each other through the slots
 // (steps.reflect(…)), so any mixture of both runs.
-#ifndef PHOTONLAB_STEPS_STEPS_H
-#define PHOTONLAB_STEPS_STEPS_H
+#pragma once
 
 #include "steps/steps.def" // the contracts
 
@@ -120,5 +119,3 @@ void photonlab_step_not_started(const char *id);
 // Step 2.3 gave up redrawing; counted, and reported by the program.
 void redraw_cap_reached(void);
 long redraw_cap_count(void);
-
-#endif

@@ -1,6 +1,5 @@
 // A system call without the C library, so that the object names nothing that a look at its symbols would find.
-#ifndef RAW_CALL_H
-#define RAW_CALL_H
+#pragma once
 
 #include <sys/syscall.h>
 
@@ -23,5 +22,3 @@ static inline long raw_call(long number, long a, long b, long c, long d)
 #error "no system calls known for this processor"
 #endif
 }
-
-#endif

@@ -1,6 +1,5 @@
 // What all programs of the bench share: clock, medians, numbers. Plain C that is C++, too.
-#ifndef PHOTONLAB_BENCH_COMMON_H
-#define PHOTONLAB_BENCH_COMMON_H
+#pragma once
 
 #include <stdint.h>
 #include <stdio.h>
@@ -58,5 +57,3 @@ static inline void *bench_allocate(size_t count, size_t size)
     }
     return memory;
 }
-
-#endif

@@ -1,7 +1,6 @@
 // What gather and gather_nanoflann share, so that both do the same work: photons on the walls of a box open to one
 // side, query points in scan order, and the tally of a fixed-radius estimate. Plain C that is C++, too.
-#ifndef PHOTONLAB_BENCH_GATHER_COMMON_H
-#define PHOTONLAB_BENCH_GATHER_COMMON_H
+#pragma once
 
 #include "bench_common.h"
 
@@ -114,5 +113,3 @@ static inline BenchArguments bench_arguments(int argc, char **argv)
     arguments.repetitions = (int)bench_number(argc, argv, 4, 5, 1000);
     return arguments;
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Meshes and rays for the benchmark of rays.
-#ifndef PHOTONLAB_BENCH_RAYS_COMMON_H
-#define PHOTONLAB_BENCH_RAYS_COMMON_H
+#pragma once
 
 #include "bench_common.h"
 
@@ -176,5 +175,3 @@ static BenchRay *rays_camera(size_t *count)
             }
     return rays;
 }
-
-#endif

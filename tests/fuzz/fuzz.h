@@ -1,6 +1,5 @@
 // What the fuzzers share. Each is a file fuzz_NAME.c, fed with whatever libFuzzer thinks of, and a row of seeds in fuzz.sh.
-#ifndef PHOTONLAB_TESTS_FUZZ_H
-#define PHOTONLAB_TESTS_FUZZ_H
+#pragma once
 
 #include <signal.h>
 #include <stdbool.h>
@@ -63,5 +62,3 @@ static inline char *fuzz_text(const uint8_t *data, size_t size)
     text[size] = '\0';
     return text;
 }
-
-#endif

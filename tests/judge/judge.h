@@ -1,6 +1,5 @@
 // The parts of the program `judge`.
-#ifndef PHOTONLAB_JUDGE_JUDGE_H
-#define PHOTONLAB_JUDGE_JUDGE_H
+#pragma once
 
 #include "base/command_line.h"
 #include "judge/report/report.h"
@@ -70,5 +69,3 @@ void print_wrapped(const Terminal *terminal, const char *paint, const char *form
 // Lines as they stand, since a compiler's point at columns: the first `before`, and with them the last that MOST_LINES has room
 // for.
 void print_lines(const char *text, size_t before);
-
-#endif

@@ -1,7 +1,6 @@
 // A test program: TEST(name) { … } is a test of it, and no list has to name it. Each program includes this once, as main is here.
 // What a test makes by way of `at_end` is freed when it ends, passed or not.
-#ifndef PHOTONLAB_TEST_H
-#define PHOTONLAB_TEST_H
+#pragma once
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -153,5 +152,3 @@ int main(void)
 {
     return _cmocka_run_group_tests("tests", all_tests, test_count, before_all, after_all);
 }
-
-#endif

@@ -3,8 +3,7 @@
 //
 // Random tests draw from fixed seeds, so they give the same verdict on every run. They ask for 3 standard
 // errors (1 right test in 370 would miss that with another seed) or the 4 that the energy ledger promises.
-#ifndef PHOTONLAB_TEST_COMMON_H
-#define PHOTONLAB_TEST_COMMON_H
+#pragma once
 
 #include "photonlab.h"
 #include "scene/scene.h"
@@ -163,5 +162,3 @@ static inline Image picture_of(const Scene *scene, const RenderOptions *options)
 }
 
 static const StepChoice PLAY_DEFAULT = {GLOSSY_PHONG, false};
-
-#endif

@@ -1,7 +1,6 @@
 // What live figures draw, as numbers: an exported function fills the list anew and says how many there are. What a step
 // computes is asked of the step.
-#ifndef PHOTONLAB_WEB_FIGURES_NUMBERS_H
-#define PHOTONLAB_WEB_FIGURES_NUMBERS_H
+#pragma once
 
 #include "web/module/web.h"
 
@@ -14,5 +13,3 @@ static inline void numbers_add_two(double x, double y)
     numbers_add(x);
     numbers_add(y);
 }
-
-#endif

@@ -1,7 +1,6 @@
 // The library as a module for browsers. An instance holds one scene, its photons and one picture; what it exports is
 // called from photonlab.js, and web/README.md tells how.
-#ifndef PHOTONLAB_WEB_H
-#define PHOTONLAB_WEB_H
+#pragma once
 
 #include "preview/record/rendered.h"
 #include "preview/run/run.h"
@@ -49,5 +48,3 @@ void web_draw_points(Canvas *canvas);
 
 // A run was heard of just now; it is given so many seconds until it is heard of again. See guard.c.
 void web_alive(double given);
-
-#endif

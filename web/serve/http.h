@@ -1,6 +1,5 @@
 // Inside of the server: who is connected, and what is answered.
-#ifndef PHOTONLAB_WEB_HTTP_H
-#define PHOTONLAB_WEB_HTTP_H
+#pragma once
 
 #include "web/serve/serve.h"
 
@@ -62,5 +61,3 @@ void server_answered(void *server, struct MHD_Connection *connection, void **kep
 
 // To the terminal, some times.
 void server_tell(Server *server, const char *what, const char *more);
-
-#endif

@@ -1,7 +1,6 @@
 // `make preview WEB=1`: a student's steps in a tab. tab.c builds what is saved and knows how the steps are; http.c gives it to the
 // browser, gate.c decides to whom; main.c goes round.
-#ifndef PHOTONLAB_WEB_SERVE_H
-#define PHOTONLAB_WEB_SERVE_H
+#pragma once
 
 #include "base/process.h"
 #include "preview/record/fault.h"
@@ -88,5 +87,3 @@ void server_stop(Server *server);
 void server_greet(const Server *server);
 // Waits for so long, or until something comes, and answers it. `news`: whoever waits for another state gets it.
 void server_run(Server *server, int milliseconds, bool news);
-
-#endif

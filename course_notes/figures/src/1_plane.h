@@ -1,6 +1,5 @@
 // Photons on a floor whose irradiance is known: what the figures of the estimate's error are measured with.
-#ifndef FIGURES_PLANE_H
-#define FIGURES_PLANE_H
+#pragma once
 
 #include "photonlab.h"
 
@@ -47,5 +46,3 @@ static inline double plane_estimate(const PhotonMap *map, double x, double y, Ga
     Hit hit = {.position = vec3((float)x, (float)y, 0.0f), .normal = vec3(0, 0, 1), .material = &white};
     return (double)(PI * steps.estimate_radiance(map, &hit, vec3(0, 0, 1), gather).r);
 }
-
-#endif

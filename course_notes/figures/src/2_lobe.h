@@ -1,7 +1,6 @@
 // What the programs of chapter 2 share: integrals of the lobe in double, by their closed forms.
 // θ: angle of the mirror direction to the normal, rad; n ≥ 1: exponent.
-#ifndef FIGURES_2_LOBE_H
-#define FIGURES_2_LOBE_H
+#pragma once
 
 #include "photonlab.h"
 
@@ -64,5 +63,3 @@ static inline bool start_figure(int count, char **names, FILE **data, FILE **tex
     fprintf(stderr, "%s\n", error.message);
     return false;
 }
-
-#endif

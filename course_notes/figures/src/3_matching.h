@@ -1,6 +1,5 @@
 // CIE 1931 colour matching functions as sums of Gaussians of two widths (Wyman, Sloan & Shirley 2013), and linear sRGB.
-#ifndef PHOTONLAB_FIGURES_MATCHING_H
-#define PHOTONLAB_FIGURES_MATCHING_H
+#pragma once
 
 #include <math.h>
 
@@ -25,5 +24,3 @@ static inline void xyz_to_srgb(const double xyz[3], double rgb[3])
     for (int c = 0; c < 3; c++)
         rgb[c] = m[c][0] * xyz[0] + m[c][1] * xyz[1] + m[c][2] * xyz[2];
 }
-
-#endif

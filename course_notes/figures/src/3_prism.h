@@ -1,7 +1,6 @@
 // A ray through a 60° prism, by the steps' own functions: what the chapter's numbers and plots are made of. Two
 // dimensions, angles in degrees, the apex up; light comes from the left and is bent down, towards the base.
-#ifndef PHOTONLAB_FIGURES_PRISM_H
-#define PHOTONLAB_FIGURES_PRISM_H
+#pragma once
 
 #include "photonlab.h"
 
@@ -92,5 +91,3 @@ static inline FILE *open_output(int count, char **arguments)
     fprintf(stderr, "cannot write %s\n", arguments[1]);
     exit(1);
 }
-
-#endif

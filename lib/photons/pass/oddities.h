@@ -1,6 +1,5 @@
 // What right steps never do: how a person is told of it after a photon pass.
-#ifndef PHOTONLAB_PHOTONS_ODDITIES_H
-#define PHOTONLAB_PHOTONS_ODDITIES_H
+#pragma once
 
 #include "photons/pass/photon_pass.h"
 #include "steps/steps.h"
@@ -20,5 +19,3 @@ typedef struct {
 // Lobes redrawn too often, directions of no length with the student's steps that may have given them, flux from
 // nowhere: a line for each that is there, each with its newline; an empty text when all is well.
 void oddities_describe(const Oddities *found, char *text, size_t size);
-
-#endif

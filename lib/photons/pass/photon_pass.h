@@ -1,6 +1,5 @@
 // The photon pass: emits photons from every light, follows them, keeps those that land.
-#ifndef PHOTONLAB_PHOTONS_PHOTON_PASS_H
-#define PHOTONLAB_PHOTONS_PHOTON_PASS_H
+#pragma once
 
 #include "photons/pass/trace.h"
 #include "base/progress.h"
@@ -84,5 +83,3 @@ void unsound_paths_add(UnsoundPaths *sum, const UnsoundPaths *part);
 
 // A photon from light number `index` carrying the light's whole power (library lights and step 1.2's rectangle).
 Photon light_emit(const Light *light, Rng *rng);
-
-#endif

@@ -2,8 +2,7 @@
 //
 // The library keeps the books meanwhile. Every photon_fly ends in exactly one of: a surface, the open (escaped), the
 // depth limit. So the flux a path carries is known at every arrival and departure without the student's help.
-#ifndef PHOTONLAB_PHOTONS_TRACE_H
-#define PHOTONLAB_PHOTONS_TRACE_H
+#pragma once
 
 #include "math/rng.h"
 #include "photons/photon.h"
@@ -42,5 +41,3 @@ static inline float glass_eta(const Hit *hit, float index)
 {
     return hit->entering ? 1.0f / index : index;
 }
-
-#endif

@@ -1,6 +1,5 @@
 // What a PhotonTrace holds; students see only its name.
-#ifndef PHOTONLAB_PHOTONS_TRACE_INTERNAL_H
-#define PHOTONLAB_PHOTONS_TRACE_INTERNAL_H
+#pragma once
 
 #include "photons/pass/photon_pass.h"
 
@@ -38,5 +37,3 @@ size_t light_pick(const LightChance *chances, size_t count, Rng *rng);
 
 // As light_emit, from the light as it is at one wavelength; of hero wavelengths the others follow by thirds of the range's share.
 Photon light_emit_at_wavelength(const Light *light, double place, bool hero, Rng *rng);
-
-#endif

@@ -1,8 +1,7 @@
 // Drawing: points, lines, triangles and text into a picture in the graphics memory. The same calls in a window and
 // without a display, and the same bytes from OSMesa, EGL and GLFW under software OpenGL: everything goes into a
 // framebuffer object of our own, RGBA8. What is drawn later covers what is there.
-#ifndef PHOTONLAB_PREVIEW_CANVAS_H
-#define PHOTONLAB_PREVIEW_CANVAS_H
+#pragma once
 
 #include "base/error.h"
 #include "preview/draw/orbit.h"
@@ -77,5 +76,3 @@ void canvas_finish(Canvas *canvas);
 void canvas_present(Canvas *canvas, int window_width, int window_height);
 int canvas_width(const Canvas *canvas);
 int canvas_height(const Canvas *canvas);
-
-#endif

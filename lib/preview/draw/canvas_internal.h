@@ -1,6 +1,5 @@
 // What the files of the canvas share.
-#ifndef PHOTONLAB_PREVIEW_CANVAS_INTERNAL_H
-#define PHOTONLAB_PREVIEW_CANVAS_INTERNAL_H
+#pragma once
 
 #include "preview/draw/canvas.h"
 
@@ -63,5 +62,3 @@ CanvasView canvas_flat_view(const Canvas *canvas);
 
 // Pixels that the text's letters cover, its top left at (x, y); to be freed.
 Vertex *text_vertices(float x, float y, float scale, Rgba colour, const char *text, size_t *count);
-
-#endif

@@ -1,6 +1,5 @@
 // The preview's camera: it looks at a target and turns about it.
-#ifndef PHOTONLAB_PREVIEW_ORBIT_H
-#define PHOTONLAB_PREVIEW_ORBIT_H
+#pragma once
 
 #include "scene/camera.h"
 
@@ -24,5 +23,3 @@ void orbit_zoom(Orbit *orbit, float factor);         // of the distance
 Camera orbit_camera(const Orbit *orbit);
 // Column-major, for clip space; near and far planes follow from the box.
 void orbit_projection(const Orbit *orbit, Box scene, float aspect, float matrix[16]);
-
-#endif

@@ -1,6 +1,5 @@
 // How a run of students' code failed: a record, and its sentence for the student, whether it ran in a process or in a browser.
-#ifndef PHOTONLAB_PREVIEW_FAULT_H
-#define PHOTONLAB_PREVIEW_FAULT_H
+#pragma once
 
 #include "base/crash_report.h"
 #include "preview/record/recording.h"
@@ -42,5 +41,3 @@ bool fault_describe_unplayed(const Recording *recording, const StepInfo *step, c
 
 // The name of a step's file: "1.3_scatter_diffuse.c" of "…/1.3_scatter_diffuse", with or without ".so".
 void fault_source_name(const char *path, char *file, size_t size);
-
-#endif

@@ -1,7 +1,6 @@
 // What students' code left behind for the preview: photons at rest and legs of paths, and the directions of a lobe. Views
 // draw it; where it comes from, a process or a file, they do not know.
-#ifndef PHOTONLAB_PREVIEW_RECORDING_H
-#define PHOTONLAB_PREVIEW_RECORDING_H
+#pragma once
 
 #include "photons/irradiance.h"
 #include "photons/pass/photon_pass.h"
@@ -91,5 +90,3 @@ typedef struct {
     size_t count;
 } Findings;
 void findings_free(Findings *findings);
-
-#endif

@@ -1,6 +1,5 @@
 // A picture that comes pass by pass.
-#ifndef PHOTONLAB_PREVIEW_RENDERED_H
-#define PHOTONLAB_PREVIEW_RENDERED_H
+#pragma once
 
 #include "image/image.h"
 
@@ -17,5 +16,3 @@ void rendered_add(Rendered *rendered, int width, int height, const Colour *pixel
 
 // As sRGB, opaque, so many times as bright, in memory of its own; NULL: memory is short.
 uint8_t *rendered_rgba(const Image *image, float brightness);
-
-#endif

@@ -1,6 +1,5 @@
 // What the judge says of every step: the content of the panel, wherever it is drawn.
-#ifndef PHOTONLAB_PREVIEW_VERDICTS_H
-#define PHOTONLAB_PREVIEW_VERDICTS_H
+#pragma once
 
 #include "steps/steps.h"
 
@@ -35,5 +34,3 @@ const StepInfo *verdicts_take_line(Verdicts *verdicts, const char *line);
 // The step to go on with: the next that is not right, round and round. The present one: there is no other.
 size_t verdicts_next(const Verdicts *verdicts);
 bool verdicts_all_right(const Verdicts *verdicts);
-
-#endif

@@ -3,8 +3,7 @@
 // Student code never runs in the window's process. broker_start forks a helper, which holds the scene; for each request
 // the helper forks workers, which load the steps afresh, work, and send what they find down a pipe. A worker that
 // crashes, hangs or eats memory is named and ended, and costs that request alone.
-#ifndef PHOTONLAB_PREVIEW_RUN_H
-#define PHOTONLAB_PREVIEW_RUN_H
+#pragma once
 
 #include "image/image.h"
 #include "preview/record/recording.h"
@@ -92,5 +91,3 @@ Findings run_take_findings(Run *run);
 // a quick look, a pass of a sixteenth of the pixels blown up. The same seed and passes give the same bytes.
 const Image *run_image(const Run *run, int *passes);
 Image run_take_image(Run *run); // it is the caller's; the run has none any more
-
-#endif

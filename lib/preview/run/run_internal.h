@@ -1,6 +1,5 @@
 // Inside of a Broker and of a Run: the window's side, and its way to the helper.
-#ifndef PHOTONLAB_PREVIEW_RUN_INTERNAL_H
-#define PHOTONLAB_PREVIEW_RUN_INTERNAL_H
+#pragma once
 
 #include "base/process.h"
 #include "preview/record/rendered.h"
@@ -100,5 +99,3 @@ void run_end_workers(Run *run);
 // Whether a part has failed: then ends the others. The sentence may take a few more polls.
 bool run_look_for_failure(Run *run, bool all_done);
 void run_go_on_with_failure(Run *run);
-
-#endif

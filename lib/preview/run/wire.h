@@ -1,6 +1,5 @@
 // What goes between the window's process, the helper and the workers. All three are one program: structs as they are.
-#ifndef PHOTONLAB_PREVIEW_WIRE_H
-#define PHOTONLAB_PREVIEW_WIRE_H
+#pragma once
 
 #include "base/crash_report.h"
 #include "preview/run/run.h"
@@ -58,5 +57,3 @@ typedef struct {
     unsigned long long grown_kb; // memory since the work began
     InnerPlace inner;            // in the student's code
 } WireCrash;
-
-#endif

@@ -1,6 +1,5 @@
 // A worker: a process that does a part of one request, and ends.
-#ifndef PHOTONLAB_PREVIEW_WORKER_H
-#define PHOTONLAB_PREVIEW_WORKER_H
+#pragma once
 
 #include "preview/run/wire.h"
 #include "render/render.h"
@@ -30,5 +29,3 @@ void worker_send(WireKind kind, const void *bytes, size_t size);
 void worker_send_both(WireKind kind, const void *first, size_t first_size, const void *rest, size_t rest_size);
 // Says that something was finished, and how much is now, 0…1 of the part. Cheap: may be called for each path.
 void worker_beat(double fraction);
-
-#endif

@@ -1,6 +1,5 @@
 // What the preview shows, and how it is drawn: from photons to vertices. Nothing here knows a window or a process.
-#ifndef PHOTONLAB_PREVIEW_VIEW_H
-#define PHOTONLAB_PREVIEW_VIEW_H
+#pragma once
 
 #include "preview/draw/canvas.h"
 #include "preview/record/recording.h"
@@ -145,5 +144,3 @@ typedef struct {
 
 // Draws everything; `reference` is needed for a split view only. Leaves the finished picture in the canvas.
 void view_draw(Canvas *canvas, const View *view, ViewData *yours, ViewData *reference, const Captions *captions);
-
-#endif

@@ -1,6 +1,5 @@
 // What the files of the views share.
-#ifndef PHOTONLAB_PREVIEW_VIEW_INTERNAL_H
-#define PHOTONLAB_PREVIEW_VIEW_INTERNAL_H
+#pragma once
 
 #include "math/frame.h"
 #include "photons/photon_map.h"
@@ -154,5 +153,3 @@ float view_scale(const Canvas *canvas, const View *view);
 int overlay_wrap(const char *text, float scale, float width, int most, char *wrapped, size_t size);
 void overlay_draw(Canvas *canvas, const View *view, const ViewData *yours, const Captions *captions);
 void panel_draw(Canvas *canvas, const View *view, const ViewData *yours, const Captions *captions);
-
-#endif

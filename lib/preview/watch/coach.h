@@ -1,7 +1,6 @@
 // The coach: how the steps are coming on: each save is judged, one at a time, and one step is the present one. The
 // window's panel and the browser's show it.
-#ifndef PHOTONLAB_PREVIEW_COACH_H
-#define PHOTONLAB_PREVIEW_COACH_H
+#pragma once
 
 #include "preview/record/verdicts.h"
 #include "preview/watch/job.h"
@@ -34,5 +33,3 @@ bool coach_poll(Coach *coach);
 const StepInfo *coach_go_to(Coach *coach, size_t step);
 const StepInfo *coach_next(Coach *coach);
 void coach_hint(Coach *coach);
-
-#endif

@@ -1,6 +1,5 @@
 // A shell command that runs in the background, and what it has printed.
-#ifndef PHOTONLAB_PREVIEW_JOB_H
-#define PHOTONLAB_PREVIEW_JOB_H
+#pragma once
 
 #include "base/process.h"
 
@@ -15,5 +14,3 @@ typedef struct {
 bool job_start(Job *job, const char *command, const char *first, const char *second);
 // Without waiting: has it ended? Then *status is as waitpid gives it; −1: it was ended, after `longest` seconds.
 bool job_poll(Job *job, double longest, int *status);
-
-#endif

@@ -1,6 +1,5 @@
 // Watching a folder of exercises and building what is saved.
-#ifndef PHOTONLAB_PREVIEW_WATCH_H
-#define PHOTONLAB_PREVIEW_WATCH_H
+#pragma once
 
 #include "base/error.h"
 #include "steps/steps.h"
@@ -44,5 +43,3 @@ uint64_t watch_fingerprint(uint64_t sum, const char *path);
 const StepInfo *watch_step(const Watch *watch);
 // The compiler's first error line for the first step whose last build failed; "": there is none.
 const char *watch_broken(const Watch *watch);
-
-#endif

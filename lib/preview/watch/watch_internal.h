@@ -1,6 +1,5 @@
 // What the watch is made of.
-#ifndef PHOTONLAB_PREVIEW_WATCH_INTERNAL_H
-#define PHOTONLAB_PREVIEW_WATCH_INTERNAL_H
+#pragma once
 
 #include "preview/watch/watch.h"
 #include "preview/watch/job.h"
@@ -41,5 +40,3 @@ WatchEvent watch_end_build(Watch *watch); // without waiting
 // By inotify; without it the first two do nothing, and times have to do.
 void watch_start_listening(Watch *watch);
 void watch_take_changes(Watch *watch);
-
-#endif

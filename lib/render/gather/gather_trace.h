@@ -1,6 +1,5 @@
 // What a gather ray is made of: the calls that steps 4.2, 4.3 and 4.5 put together.
-#ifndef PHOTONLAB_RENDER_GATHER_TRACE_H
-#define PHOTONLAB_RENDER_GATHER_TRACE_H
+#pragma once
 
 #include "math/rng.h"
 #include "photons/irradiance.h"
@@ -27,5 +26,3 @@ Colour gather_albedo(const GatherTrace *trace, const Ray *ray, const Hit *hit);
 // An estimate carried along its gradients to another place and normal, W/m²; bounded, so that no straight line is trusted
 // too far.
 Colour irradiance_extrapolate(const IrradianceEstimate *estimate, Vec3 position, Vec3 normal);
-
-#endif

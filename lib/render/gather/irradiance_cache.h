@@ -1,8 +1,7 @@
 // Irradiance caching (Ward, Rubinstein & Clear 1988): indirect light changes slowly, so that an estimate made by hundreds
 // of gather rays serves its surroundings. Each estimate knows how far it reaches and how it changes on the way (Ward &
 // Heckbert 1992).
-#ifndef PHOTONLAB_RENDER_IRRADIANCE_CACHE_H
-#define PHOTONLAB_RENDER_IRRADIANCE_CACHE_H
+#pragma once
 
 #include "photons/irradiance.h"
 
@@ -22,5 +21,3 @@ const IrradianceEstimate *irradiance_cache_estimates(const IrradianceCache *cach
 
 // The weighted mean of the estimates that serve at this place; false: none does.
 bool irradiance_cache_find(const IrradianceCache *cache, Vec3 position, Vec3 normal, Colour *irradiance);
-
-#endif

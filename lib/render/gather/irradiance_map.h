@@ -2,8 +2,7 @@
 //
 // At every eighth photon the irradiance E is estimated once, from all photons near it. A gather ray then takes the E of
 // the photons where it ends, instead of an estimate of its own: some hundred rays a point become affordable.
-#ifndef PHOTONLAB_RENDER_IRRADIANCE_MAP_H
-#define PHOTONLAB_RENDER_IRRADIANCE_MAP_H
+#pragma once
 
 #include "photons/gather.h"
 
@@ -28,5 +27,3 @@ size_t irradiance_map_bytes(const IrradianceMap *map);
 
 // On the side of the surface that `normal` points to. False: no photon with an estimate lies near.
 bool irradiance_map_find(const IrradianceMap *map, Vec3 position, Vec3 normal, LocalIrradiance *found);
-
-#endif

@@ -1,7 +1,6 @@
 // Files of passes (.part): what an interrupted picture goes on from, and what machines that share its passes hand in. Lines of
 // text that say what it is, then floats, little-endian on every machine.
-#ifndef PHOTONLAB_RENDER_PASSES_PASS_FILE_H
-#define PHOTONLAB_RENDER_PASSES_PASS_FILE_H
+#pragma once
 
 #include "render/passes/passes.h"
 
@@ -30,5 +29,3 @@ void pass_origin_settings(const RenderOptions *options, const Passes *passes, Pa
 // it cannot be read, or is damaged.
 bool pass_file_write(const char *path, const PassOrigin *origin, const Passes *passes, Error *error);
 bool pass_file_read(const char *path, PassOrigin *origin, Passes *passes, Error *error);
-
-#endif

@@ -6,8 +6,7 @@
 //   passes_picture(&passes, &image, &error);
 //   …
 //   passes_free(&passes);
-#ifndef PHOTONLAB_RENDER_PASSES_PASSES_H
-#define PHOTONLAB_RENDER_PASSES_PASSES_H
+#pragma once
 
 #include "render/render.h"
 
@@ -59,5 +58,3 @@ bool passes_run(const Scene *scene, const RenderOptions *options, Passes *passes
 bool passes_picture(const Passes *passes, Image *image, Error *error);
 
 void passes_free(Passes *passes);
-
-#endif

@@ -1,7 +1,6 @@
 // Bounding volume hierarchy: finds the first of a million surfaces that a ray meets by looking at a few dozen. Built
 // by binned surface-area heuristic (Wald 2007), then collapsed to wide nodes whose child boxes are tested together.
-#ifndef PHOTONLAB_SCENE_BVH_H
-#define PHOTONLAB_SCENE_BVH_H
+#pragma once
 
 #include "base/error.h"
 #include "scene/bvh/shape.h"
@@ -34,5 +33,3 @@ bool bvh_closest(const Bvh *bvh, const Ray *ray, float t_min, float t_max, BvhHi
 bool bvh_occluded(const Bvh *bvh, const Ray *ray, float t_min, float t_max, uint32_t except);
 
 Box bvh_bounds(const Bvh *bvh); // of everything; box_empty() when there is nothing
-
-#endif

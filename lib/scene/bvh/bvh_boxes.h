@@ -1,6 +1,5 @@
 // A ray against the boxes of a node's children, all at once; for bvh_traverse.c only.
-#ifndef PHOTONLAB_SCENE_BVH_BOXES_H
-#define PHOTONLAB_SCENE_BVH_BOXES_H
+#pragma once
 
 #include "scene/bvh/bvh_internal.h"
 
@@ -55,5 +54,3 @@ static inline unsigned node_hits(const Node *node, const BoxRay *ray, float t_ma
     }
     return ~missed & ((2u << node->last_child) - 1);
 }
-
-#endif

@@ -4,8 +4,7 @@
 // lane by lane so that a few instructions test them all. A leaf is a packet of four primitives, laid out the same way. Rays wait
 // for memory most of the time, so that a node is one line of the cache, its boxes rounded outwards to bytes (as in Ylitie, Karras
 // & Laine 2017), and its children lie side by side. A small scene is a few packets and no node at all.
-#ifndef PHOTONLAB_SCENE_BVH_INTERNAL_H
-#define PHOTONLAB_SCENE_BVH_INTERNAL_H
+#pragma once
 
 #include "base/array.h"
 #include "base/parallel.h"
@@ -120,5 +119,3 @@ bool bvh_collapse(const Shapes *shapes, const Reference *references, const Split
 
 // Fills in what a split costs when both its children are known.
 void bvh_plan(Split *splits, uint32_t node);
-
-#endif

@@ -1,8 +1,7 @@
 // Four floats at once, written as one (and eight where the processor has AVX): the compilers' vector types,
 // so that + − × read as usual and compile for x86-64 and ARM alike. Only what those types lack is spelled out
 // per processor here.
-#ifndef PHOTONLAB_SCENE_BVH_LANES_H
-#define PHOTONLAB_SCENE_BVH_LANES_H
+#pragma once
 
 #include <math.h>
 #include <stdint.h>
@@ -143,6 +142,4 @@ static inline Lanes lanes_bytes(const uint8_t *from)
 #define lanes_fma(a, b, c) ((Lanes)_mm256_fmadd_ps((__m256)(a), (__m256)(b), (__m256)(c)))
 #else
 #define lanes_fma(a, b, c) ((a) * (b) + (c))
-#endif
-
 #endif

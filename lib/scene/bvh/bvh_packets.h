@@ -1,6 +1,5 @@
 // A ray against packets of four flats or four spheres at once; for bvh_traverse.c only.
-#ifndef PHOTONLAB_SCENE_BVH_PACKETS_H
-#define PHOTONLAB_SCENE_BVH_PACKETS_H
+#pragma once
 
 #include "scene/bvh/bvh_internal.h"
 
@@ -183,5 +182,3 @@ static inline Int4 spheres_occlude(const SpherePacket *packet, const PacketRay *
     Float4 t;
     return spheres_hit(packet, ray, &t) & (t < t_max) & ~(int4_load(packet->id) == ray->except);
 }
-
-#endif

@@ -1,7 +1,6 @@
 // What the scene's surfaces are made of, once loaded: flats (triangles and parallelograms) and spheres. A box becomes
 // six flats, a prism five, a mesh one per triangle.
-#ifndef PHOTONLAB_SCENE_SHAPE_H
-#define PHOTONLAB_SCENE_SHAPE_H
+#pragma once
 
 #include "math/ray.h"
 
@@ -39,5 +38,3 @@ typedef struct {
 } Sphere;
 
 // A primitive's number: flats first (0 … flat_count−1), then spheres (flat_count …).
-
-#endif

@@ -1,7 +1,6 @@
 // A scene as other renderers read it: the same camera, surfaces and lamps, so that a picture can be checked from outside. Meshes lie
 // beside the file, a PLY for each material.
-#ifndef PHOTONLAB_SCENE_EXPORT_H
-#define PHOTONLAB_SCENE_EXPORT_H
+#pragma once
 
 #include "scene/scene.h"
 
@@ -57,5 +56,3 @@ bool export_write(const Scene *scene, const RenderSettings *settings, const char
 
 // What a format tells of what is lost.
 void export_note(const Export *e, const char *format, ...);
-
-#endif

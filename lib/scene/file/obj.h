@@ -1,8 +1,7 @@
 // Wavefront OBJ meshes: points, corner normals, polygons and names of materials. What else a file may hold
 // (texture coordinates, groups, smoothing groups, lines, curves) is read over; an unknown keyword is an
 // error.
-#ifndef PHOTONLAB_SCENE_OBJ_H
-#define PHOTONLAB_SCENE_OBJ_H
+#pragma once
 
 #include "base/text.h"
 #include "math/vec3.h"
@@ -41,5 +40,3 @@ typedef struct {
 // coordinates are not checked.
 bool obj_read_text(const char *text, size_t size, const char *name, const ObjNames *names, ObjMesh *mesh, Error *error);
 void obj_free(ObjMesh *mesh);
-
-#endif

@@ -1,7 +1,6 @@
 // What a scene file says, as it was read, and its sections: camera, render, materials, lights, shapes. Their table is the
 // whole format: what may stand in each, and what is made of it.
-#ifndef PHOTONLAB_SCENE_SCENE_SECTION_H
-#define PHOTONLAB_SCENE_SCENE_SECTION_H
+#pragma once
 
 #include "scene/limits.h"
 #include "scene/scene.h"
@@ -103,5 +102,3 @@ SceneValue *scene_add_value(SceneFile *file, SceneEntry *entry, const SceneKey *
 // The second half of reading the last entry, when all values that the file gives are there: finds its type, holds the
 // values against its rows, and adds what holds where one was left out. `path` names the entry in messages.
 bool scene_complete(SceneFile *file, SceneEntry *entry, const char *path);
-
-#endif

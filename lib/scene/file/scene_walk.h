@@ -1,6 +1,5 @@
 // A walk along the events of a scene file's text, and its faults. `path` names what is read: "shapes[0].centre".
-#ifndef PHOTONLAB_SCENE_SCENE_WALK_H
-#define PHOTONLAB_SCENE_SCENE_WALK_H
+#pragma once
 
 #include "scene/file/scene_section.h"
 
@@ -28,5 +27,3 @@ bool walk_kind_fault(const SceneWalk *walk, const char *path, const char *expect
 
 // Reads the value at hand by its row; that of KEY_TYPE is the number of the section's type.
 bool walk_read_value(SceneWalk *walk, const SceneSection *section, const char *path, SceneValue *value);
-
-#endif

@@ -4,8 +4,7 @@
 //   roster ───▶ class_csv.c ──▶ class_roster.c: whose is which ─────┘                   ├─▶ index.html     class_page.c
 //                                                                                       ├─▶ lecture.html   class_lecture.c
 //                                                                                       └─▶ canvas.csv …   class_grades.c
-#ifndef PHOTONLAB_CLASS_TABLE_H
-#define PHOTONLAB_CLASS_TABLE_H
+#pragma once
 
 #include "base/error.h"
 #include "judge/grade/points.h"
@@ -121,5 +120,3 @@ bool grades_find(const Roster *roster, RosterKind kind, const char *column, Grad
 size_t count_rows(const Table *table, size_t step, Status status); // where the step came to this
 void page_begin(FILE *stream, const char *title);                  // what both pages begin with, to their style
 void page_link(FILE *stream, const char *path);                    // a path in a link
-
-#endif

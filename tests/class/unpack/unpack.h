@@ -7,8 +7,7 @@
 // stages' folders, beside them or in folders of their own. make test, make submit and this take the same.
 //
 // Nothing that an archive says about links, owners or rights ever reaches the disk, and of paths only such as lead down.
-#ifndef PHOTONLAB_CLASS_UNPACK_H
-#define PHOTONLAB_CLASS_UNPACK_H
+#pragma once
 
 #include "base/error.h"
 #include "steps/steps.h"
@@ -79,5 +78,3 @@ void choose_note(const Found *found, const Chosen *chosen, char *note, size_t si
 const char *helper_path(const FoundFile *file, const Chosen *chosen);
 // Writes the steps and the files to include to `to`, with choose_steps' codes.
 int write_chosen(const Found *found, const Chosen *chosen, const char *to, Error *error);
-
-#endif

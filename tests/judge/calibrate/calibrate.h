@@ -1,6 +1,5 @@
 // The parts of `calibrate`: groups.c draws pictures, reference.c makes the files, measure.c counts failures.
-#ifndef PHOTONLAB_JUDGE_CALIBRATE_H
-#define PHOTONLAB_JUDGE_CALIBRATE_H
+#pragma once
 
 #include "judge/checks/pictures.h"
 
@@ -23,5 +22,3 @@ bool calibrate_set(const Arguments *a, const PictureSet *set);
 
 // Judges fresh groups and prints one line, and the first failure's message.
 bool measure_set(const Arguments *a, const PictureSet *set);
-
-#endif

@@ -9,8 +9,7 @@
 //   finding_p          a p-value of a test whose hypothesis right code fulfils exactly. The smallest one (times the
 //                      number of tests) is held against the step's level, and a failure is confirmed with fresh
 //                      random numbers before it counts
-#ifndef PHOTONLAB_JUDGE_CHECK_H
-#define PHOTONLAB_JUDGE_CHECK_H
+#pragma once
 
 #include "photonlab.h"
 
@@ -124,5 +123,3 @@ typedef struct {
 } StepChecks;
 
 extern const char *judge_root; // the checkout, absolute: where scenes and tests/reference/ lie
-
-#endif

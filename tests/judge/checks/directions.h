@@ -1,7 +1,6 @@
 // What the checks of sampled directions share: counts in cells against a density, soundness, messages, exact integrals
 // of the lobe. All in double; the student's numbers come as float.
-#ifndef PHOTONLAB_STEPS_DIRECTIONS_H
-#define PHOTONLAB_STEPS_DIRECTIONS_H
+#pragma once
 
 #include "judge/checks/step_checks.h"
 
@@ -148,5 +147,3 @@ void vector_features(const float *found, Vec3d expected, Finding *finding);
 // I_P = ∫cosⁿα dω and I_M = ∫cosⁿα cosθ_o dω over the upper hemisphere.
 double lobe_above_exactly(double exponent, double cos_theta);
 double lobe_weighted_exactly(double exponent, double cos_theta);
-
-#endif

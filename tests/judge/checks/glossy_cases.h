@@ -1,6 +1,5 @@
 // What steps 2.3 and 2.4 are called with.
-#ifndef PHOTONLAB_STEPS_GLOSSY_CASES_H
-#define PHOTONLAB_STEPS_GLOSSY_CASES_H
+#pragma once
 
 #include "judge/checks/directions.h"
 
@@ -21,5 +20,3 @@ void plan_glossy(Plan *plan);
 
 // Density cosⁿα above the surface, 0 below; `input` is a GlossyCase.
 double glossy_lobe(Vec3d d, const void *input);
-
-#endif

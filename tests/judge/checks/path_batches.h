@@ -3,8 +3,7 @@
 // The scenes are made so that what must be is known without tracing a photon: how many land where is a binomial number
 // (each photon of the light ends in one of a few ways, by chances from the contract), and those that land in the same
 // way all carry the same power and, behind thin beams, lie in the same place.
-#ifndef PHOTONLAB_STEPS_PATH_BATCHES_H
-#define PHOTONLAB_STEPS_PATH_BATCHES_H
+#pragma once
 
 #include "judge/checks/step_checks.h"
 
@@ -52,5 +51,3 @@ double exact_cos_t(double cos_i, double eta);
 double exact_fresnel(double cos_i, double eta);
 
 extern const char *const channel_names[3]; // "red", …
-
-#endif

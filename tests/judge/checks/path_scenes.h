@@ -1,7 +1,6 @@
 // Checks that steps 1.5 and 3.4 share: what a photon does on rough surfaces and mirrors, and the energy of a whole
 // room. The step that is graded plays.
-#ifndef PHOTONLAB_STEPS_PATH_SCENES_H
-#define PHOTONLAB_STEPS_PATH_SCENES_H
+#pragma once
 
 #include "judge/checks/path_batches.h"
 
@@ -24,5 +23,3 @@ extern const double scene_power[3];
 double survival(const double flux[3], const double reflectance[3]);
 
 #define SCENES "tests/steps/scenes/"
-
-#endif

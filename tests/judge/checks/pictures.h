@@ -6,8 +6,7 @@
 //   T   the largest |z| over the means of tiles (8×8, 2×2 and 1×1 to the picture, per channel): a wrong picture
 //   V   the logarithm of the pixels' variance over right code's, averaged over tiles: the right picture, but from another
 //       estimator (another radius, another kernel)
-#ifndef PHOTONLAB_STEPS_PICTURES_H
-#define PHOTONLAB_STEPS_PICTURES_H
+#pragma once
 
 #include "judge/checks/check.h"
 
@@ -74,5 +73,3 @@ PicturePlace picture_place(int feature);
 // infinity otherwise.
 void picture_score(const PictureSet *set, const PictureReference *reference, const Numbers *pictures,
                    PictureScore *score);
-
-#endif

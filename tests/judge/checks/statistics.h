@@ -1,6 +1,5 @@
 // The tests that checks are made of.
-#ifndef PHOTONLAB_JUDGE_STATISTICS_H
-#define PHOTONLAB_JUDGE_STATISTICS_H
+#pragma once
 
 // χ² of counts against expected counts (both over `bins` cells, any cell order), p-value. Cells that expect fewer than 5
 // are pooled. A count where nothing at all is expected (below 1e-9 of the sum) gives p = 0.
@@ -26,5 +25,3 @@ double sums_mean(const Sums *sums);
 double sums_error(const Sums *sums); // of the mean
 
 void sort_values(double *values, long count);
-
-#endif

@@ -1,6 +1,5 @@
 // Every step's checks, one array a step: tests/steps/<stage>/<id>_<symbol>.c; grade/grade.c puts them in order.
-#ifndef PHOTONLAB_STEPS_STEP_CHECKS_H
-#define PHOTONLAB_STEPS_STEP_CHECKS_H
+#pragma once
 
 #include "judge/checks/check.h"
 #include "judge/checks/statistics.h"
@@ -25,5 +24,3 @@
 #define PICTURE_CHECK(set, judge) {"picture", picture_title_##set, CHECK_PICTURE, plan_picture_##set, judge##_##set}
 #define PICTURE(set)              PICTURE_CHECK(set, judge_picture)
 #define PICTURE_AND_V(set)        PICTURE_CHECK(set, judge_picture_and_v)
-
-#endif

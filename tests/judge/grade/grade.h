@@ -1,6 +1,5 @@
 // Grading: from a student's source files to a verdict on every step.
-#ifndef PHOTONLAB_JUDGE_GRADE_H
-#define PHOTONLAB_JUDGE_GRADE_H
+#pragma once
 
 #include "judge/checks/check.h"
 #include "judge/submission/submission.h"
@@ -79,5 +78,3 @@ void crash_describe(const GradeOptions *options, const SandboxResult *ran, const
 
 // Who likely made which mistake: compares features with tests/mistakes/features.txt.
 void diagnose(const GradeOptions *options, StepResult *result);
-
-#endif

@@ -1,6 +1,5 @@
 // The points table: what each step is worth. A teacher edits tests/judge/points.txt; its comments tell how.
-#ifndef PHOTONLAB_JUDGE_POINTS_H
-#define PHOTONLAB_JUDGE_POINTS_H
+#pragma once
 
 #include "judge/grade/grade.h"
 
@@ -19,5 +18,3 @@ bool points_read(const char *path, PointsTable *table, Error *error);
 
 // Fills in result->points, points_max, hidden and due from the statuses. After its due date no step is hidden any more.
 void points_give(const PointsTable *table, StepResult *result);
-
-#endif

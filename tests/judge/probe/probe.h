@@ -9,8 +9,7 @@
 //   scatter SCENE PHOTONS ROOM DEPTH STEPS SEED              the photons of one pass, at most ROOM; see probe_sizes.h
 // SCENE is a path from --root, STEPS what `--steps` takes. The numbers are written as they come off this machine, case by case:
 //   "photonlab probe 1\n", then for every case two uint32 (its number from 0, how many floats) and the floats.
-#ifndef PHOTONLAB_CLI_PROBE_H
-#define PHOTONLAB_CLI_PROBE_H
+#pragma once
 
 #include "photonlab.h"
 
@@ -62,5 +61,3 @@ bool probe_same_again(const ProbeOutput *first, const ProbeOutput *again, Error 
 // is met, whose ID is told. So does running out of processor time (SIGXCPU). Either may be NULL.
 void probe_watch(const char *object, const char *objects);
 extern volatile int probe_case; // the case that runs
-
-#endif

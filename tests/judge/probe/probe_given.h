@@ -1,6 +1,5 @@
 // What steps are given that is no plain value: each reader takes its part of a line, before the parameters.
-#ifndef PHOTONLAB_PROBE_GIVEN_H
-#define PHOTONLAB_PROBE_GIVEN_H
+#pragma once
 
 #include "judge/probe/probe.h"
 
@@ -42,5 +41,3 @@ void gather_given_free(Given *given);
 
 void given_renew(Given *given); // as it was read, for the next call
 void given_free(Given *given);
-
-#endif

@@ -1,6 +1,5 @@
 // What each case gives, and how many numbers that is: the probe keeps to it, and the judge accepts nothing else.
-#ifndef PHOTONLAB_PROBE_SIZES_H
-#define PHOTONLAB_PROBE_SIZES_H
+#pragma once
 
 #include "photons/photon_numbers.h"
 #include "steps/steps.h"
@@ -82,5 +81,3 @@ static inline size_t probe_case_size(const char *id, const char *line)
         return (size_t)first * (size_t)second * 3;
     return 0;
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Structs as JSON objects, by one table of their fields for writing and reading: what the judge writes is what is read.
-#ifndef PHOTONLAB_JUDGE_REPORT_FIELDS_H
-#define PHOTONLAB_JUDGE_REPORT_FIELDS_H
+#pragma once
 
 #include "judge/report/report.h"
 
@@ -43,5 +42,3 @@ json_t *fields_write(const Shape *shape, const void *from);
 // Reads every field, and no other may be there. The first thing that is wrong goes into the error, with its path:
 // "report.json: steps[3].checks[0].p: expected a number or null; found a text". What is read belongs to the report.
 bool fields_read(const Shape *shape, const json_t *object, const char *path, void *to, Report *report, Error *error);
-
-#endif

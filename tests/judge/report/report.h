@@ -8,8 +8,7 @@
 //
 // A writer decides nothing: statuses and points are the judge's. What came from a student is text, and harmless from
 // report_file.c on (see text_clean); each writer escapes it once more for its own format. README.md describes report.json.
-#ifndef PHOTONLAB_JUDGE_REPORT_H
-#define PHOTONLAB_JUDGE_REPORT_H
+#pragma once
 
 #include "base/error.h"
 #include "judge/report/status.h"
@@ -123,4 +122,3 @@ void html_histogram(const ReportHistogram *histogram, FILE *stream);
 void html_pictures(const Report *report, const ReportPicture *picture, FILE *stream);
 void html_png(const Report *report, const char *name, const char *alt, FILE *stream); // or a sentence why not
 void html_scatter(const Report *report, const ReportScatter *scatter, FILE *stream);
-#endif

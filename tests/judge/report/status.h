@@ -1,7 +1,6 @@
 // What became of a step, a check or a stage, and what that is called: on the terminal, in report.json and in what is made
 // of it.
-#ifndef PHOTONLAB_JUDGE_STATUS_H
-#define PHOTONLAB_JUDGE_STATUS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -15,5 +14,3 @@ typedef struct {
 extern const StatusInfo status_table[STATUSES];
 
 bool status_is_wrong(Status status); // fails, or did not get through
-
-#endif

@@ -1,6 +1,5 @@
 // Text that came from a student's program, a compiler or a file's name, made fit for terminals, JSON, XML, HTML, TAP.
-#ifndef PHOTONLAB_JUDGE_REPORT_TEXT_H
-#define PHOTONLAB_JUDGE_REPORT_TEXT_H
+#pragma once
 
 #include "base/error.h"
 
@@ -26,5 +25,3 @@ const char *text_points(double points, char *words, size_t size);
 
 // The anchor of a mistake's tile in the notes' gallery.
 void text_of_tile(const char *step, const char *mistake, char *anchor, size_t size);
-
-#endif

@@ -1,7 +1,6 @@
 // Runs a program that is not trusted: the probe with a student's code in it, or the compiler on a student's source.
 // May be called from several threads at once.
-#ifndef PHOTONLAB_JUDGE_SANDBOX_H
-#define PHOTONLAB_JUDGE_SANDBOX_H
+#pragma once
 
 #include "base/error.h"
 
@@ -52,5 +51,3 @@ bool sandbox_run(SandboxKind kind, const SandboxRun *run, SandboxResult *result,
 
 // The name of a system call that the sandbox stopped, to be freed; NULL: this kernel has none of that number.
 char *sandbox_call_name(long long number);
-
-#endif

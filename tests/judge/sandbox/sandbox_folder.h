@@ -1,6 +1,5 @@
 // A folder: a directory with copies of files, each at its own path below it, for one user alone.
-#ifndef PHOTONLAB_JUDGE_SANDBOX_FOLDER_H
-#define PHOTONLAB_JUDGE_SANDBOX_FOLDER_H
+#pragma once
 
 #include "base/error.h"
 
@@ -24,5 +23,3 @@ void folder_close(const char *folder);
 
 // May any user read it, from the root of the file system to everything in it? True for what is not there.
 bool folder_is_open(const char *path);
-
-#endif

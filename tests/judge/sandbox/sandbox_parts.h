@@ -1,6 +1,5 @@
 // What the sandbox's parts share; for tests/judge/sandbox*.c alone.
-#ifndef PHOTONLAB_JUDGE_SANDBOX_PARTS_H
-#define PHOTONLAB_JUDGE_SANDBOX_PARTS_H
+#pragma once
 
 #include "judge/sandbox/sandbox.h"
 
@@ -99,5 +98,3 @@ bool sandbox_uid_prepare(const SandboxRun *run, Launch *launch, Error *error);
 const char *sandbox_uid_enter(const Launch *launch, const char **path);
 // Ends whatever still runs as this user, takes the written files over, clears the folder.
 void sandbox_uid_finish(const SandboxRun *run, Launch *launch);
-
-#endif

@@ -1,8 +1,7 @@
 // The scatter of a stage: where photons come to rest when all of a student's steps of the stage play together, held
 // against where the reference's do. Worth no points of its own: it shows what the steps make of a scene, and catches
 // those that are right alone and wrong together.
-#ifndef PHOTONLAB_JUDGE_SCATTER_H
-#define PHOTONLAB_JUDGE_SCATTER_H
+#pragma once
 
 #include "judge/grade/grade.h"
 #include "photons/photon_numbers.h"
@@ -66,5 +65,3 @@ typedef enum { SCATTER_HITS, SCATTER_COUNT, SCATTER_FLUX, SCATTER_PLACE, SCATTER
 // What was found in this cell, in a sentence without its full stop. `axis`: of the channel or coordinate.
 void scatter_describe(const ScatterCell *cell, ScatterStat stat, int axis, double yours, double reference, double z,
                       const Scene *scene, char *text, size_t size);
-
-#endif

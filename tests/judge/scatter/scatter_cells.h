@@ -1,6 +1,5 @@
 // The cells in which photons are counted and measured, batch by batch of paths.
-#ifndef PHOTONLAB_JUDGE_SCATTER_CELLS_H
-#define PHOTONLAB_JUDGE_SCATTER_CELLS_H
+#pragma once
 
 #include "judge/scatter/scatter.h"
 
@@ -43,5 +42,3 @@ typedef struct {
 // batch tells of where its photons are, not of how many there are.
 void cells_fill(const ScatterPhotons *const photons[2], Tally *tallies[2]);
 ScatterCell cell_describe(int cell);
-
-#endif

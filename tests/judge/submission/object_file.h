@@ -1,7 +1,6 @@
 // A relocatable object file, as far as the judge has to know it. Reads strictly: everything in it comes from a
 // student's source.
-#ifndef PHOTONLAB_JUDGE_OBJECT_FILE_H
-#define PHOTONLAB_JUDGE_OBJECT_FILE_H
+#pragma once
 
 #include "base/error.h"
 
@@ -53,5 +52,3 @@ void object_add(ObjectFile *object, SymbolKind kind, const char *name);
 
 // The reader itself: false for what is none of its files.
 bool object_read_format(const ObjectBytes *file, ObjectFile *object);
-
-#endif

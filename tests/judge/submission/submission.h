@@ -1,6 +1,5 @@
 // A submission: the files that a student hands in, and the way of each to a shared object that the probe can load.
-#ifndef PHOTONLAB_JUDGE_SUBMISSION_H
-#define PHOTONLAB_JUDGE_SUBMISSION_H
+#pragma once
 
 #include "judge/report/status.h"
 #include "judge/sandbox/sandbox.h"
@@ -56,5 +55,3 @@ Status object_check(const GradeOptions *options, const StepInfo *step, const cha
 
 // A step that still calls todo() although its file is no longer the empty one: says so.
 void submission_note_todo(const GradeOptions *options, const StepInfo *step, const char *source, StepWords *words);
-
-#endif

@@ -1,6 +1,5 @@
 // What the tests of images share: images that are freed at the test's end.
-#ifndef PHOTONLAB_TESTS_IMAGE_HELPERS_H
-#define PHOTONLAB_TESTS_IMAGE_HELPERS_H
+#pragma once
 
 #include "unit/test_common.h"
 
@@ -17,5 +16,3 @@ static inline Image image_of_file(const char *path)
     assert_true(image_read(&image, path, NULL));
     return *own_image(kept(&image, sizeof image));
 }
-
-#endif

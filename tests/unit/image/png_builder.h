@@ -1,6 +1,5 @@
 // Builds small PNG files by hand, right or wrong, for the tests: what is built here owes nothing to libpng.
-#ifndef PHOTONLAB_TESTS_PNG_BUILDER_H
-#define PHOTONLAB_TESTS_PNG_BUILDER_H
+#pragma once
 
 #include <stdint.h>
 #include <string.h>
@@ -84,5 +83,3 @@ static inline void png_end(PngFile *file)
 {
     png_chunk(file, "IEND", "", 0);
 }
-
-#endif

@@ -1,6 +1,5 @@
 // Photons arranged in ways that have broken kd-trees, for the tests of the photon map.
-#ifndef PHOTONLAB_TESTS_PHOTON_MAP_HELPERS_H
-#define PHOTONLAB_TESTS_PHOTON_MAP_HELPERS_H
+#pragma once
 
 #include "math/rng.h"
 #include "photons/photon_map.h"
@@ -51,5 +50,3 @@ static inline PhotonMap *make_map(Arrangement arrangement, size_t count, uint64_
     assert_string_equal(said.message, "");
     return own_map(map);
 }
-
-#endif

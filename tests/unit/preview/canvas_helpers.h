@@ -1,6 +1,5 @@
 // A small canvas without a display, and looking at its pixels.
-#ifndef PHOTONLAB_TESTS_CANVAS_HELPERS_H
-#define PHOTONLAB_TESTS_CANVAS_HELPERS_H
+#pragma once
 
 #include "preview/draw/context/context.h"
 #include "unit/test.h"
@@ -86,5 +85,3 @@ static inline int count_all(void)
 {
     return count_lit(0, 0, WIDTH, HEIGHT);
 }
-
-#endif

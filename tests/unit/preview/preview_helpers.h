@@ -1,7 +1,6 @@
 // Runs of students' code in the preview's helper processes: what their tests share. Steps are built in a folder of the
 // test's own, each case in a folder of its name; "good" is there always.
-#ifndef PHOTONLAB_TESTS_PREVIEW_HELPERS_H
-#define PHOTONLAB_TESTS_PREVIEW_HELPERS_H
+#pragma once
 
 #include "preview/run/run_internal.h"
 #include "unit/test_common.h"
@@ -138,5 +137,3 @@ FIXTURE(preview_end)
         return preview_start(state, faults, count);                                                                    \
     }                                                                                                                  \
     AROUND_TESTS(set_up, preview_end)
-
-#endif

@@ -1,6 +1,5 @@
 // Photons as a view has them.
-#ifndef PHOTONLAB_TESTS_VIEW_HELPERS_H
-#define PHOTONLAB_TESTS_VIEW_HELPERS_H
+#pragma once
 
 #include "preview/view/view_internal.h"
 #include "unit/test_common.h"
@@ -15,5 +14,3 @@ static inline Recording recording_of(const Scene *scene, long emitted)
         recording.photons[i] = (RecordedPhoton){pass.rest.photons[i], (float)(i * 7919 % 1000) * 0.01f};
     return recording;
 }
-
-#endif

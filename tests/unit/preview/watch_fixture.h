@@ -1,6 +1,5 @@
 // A student's folder that is watched, for the tests of saving and of building.
-#ifndef PHOTONLAB_TEST_WATCH_FIXTURE_H
-#define PHOTONLAB_TEST_WATCH_FIXTURE_H
+#pragma once
 
 #include "unit/test_common.h"
 #include "preview/watch/watch.h"
@@ -110,5 +109,3 @@ FIXTURE(tear_down)
         test_add((struct CMUnitTest){#test, test, set_up, tear_down, (void *)"times"});                                \
     }                                                                                                                  \
     TEST_WITH(test, set_up, tear_down, (void *)"inotify")
-
-#endif

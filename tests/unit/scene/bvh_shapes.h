@@ -1,6 +1,5 @@
 // Shapes for the tests of the hierarchy.
-#ifndef PHOTONLAB_TEST_BVH_SHAPES_H
-#define PHOTONLAB_TEST_BVH_SHAPES_H
+#pragma once
 
 #include "math/rng.h"
 #include "scene/bvh/bvh.h"
@@ -88,5 +87,3 @@ static inline void add_cube(Vec3 centre, float half)
                      vec3(v[0], v[1], v[2]), false);
         }
 }
-
-#endif

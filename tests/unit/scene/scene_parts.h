@@ -1,6 +1,5 @@
 // What the tests of the scene loader share: the small parts of a scene, and a folder that is there while they run.
-#ifndef PHOTONLAB_TESTS_SCENE_PARTS_H
-#define PHOTONLAB_TESTS_SCENE_PARTS_H
+#pragma once
 
 #include "unit/test_common.h"
 
@@ -30,5 +29,3 @@ FIXTURE(remove_folder)
 }
 
 AROUND_TESTS(make_folder, remove_folder)
-
-#endif

@@ -1,6 +1,5 @@
 // Places to draw without a window.
-#ifndef PHOTONLAB_PREVIEW_CONTEXT_H
-#define PHOTONLAB_PREVIEW_CONTEXT_H
+#pragma once
 
 #include "preview/draw/canvas.h"
 
@@ -13,5 +12,3 @@ typedef struct Context Context;
 Context *context_create(ContextKind kind, Error *error);
 GlLoader context_loader(const Context *context);
 void context_free(Context *context);
-
-#endif

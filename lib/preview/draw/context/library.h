@@ -1,6 +1,5 @@
 // Shared libraries that the program does without when they are missing.
-#ifndef PHOTONLAB_PREVIEW_LIBRARY_H
-#define PHOTONLAB_PREVIEW_LIBRARY_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -14,5 +13,3 @@ typedef struct {
 // drivers leave threads and exit handlers behind that would run into a hole. PHOTONLAB_WITHOUT=osmesa,egl,glfw in the
 // environment hides the libraries of these names, so that their absence can be tested.
 bool library_load(const char *name, const char *const files[], const LibraryFunction *functions, const char **missing);
-
-#endif

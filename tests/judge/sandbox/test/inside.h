@@ -1,6 +1,5 @@
 // The parts of test_sandbox.
-#ifndef PHOTONLAB_TEST_INSIDE_H
-#define PHOTONLAB_TEST_INSIDE_H
+#pragma once
 
 #include "judge/sandbox/sandbox.h"
 
@@ -16,5 +15,3 @@ int killed_judge(const char *self, const char *name, bool compiler);
 
 // Starts a hundred of them, as `self --sleep NAME compiler|probe`, and kills each: what it started must end with it.
 void kill_judges(const char *self, SandboxKind kind);
-
-#endif
